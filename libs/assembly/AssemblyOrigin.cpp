@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Shapes, supports, zones and stated joints make one fingerprint; files are compared by theirs.
+/// Shapes, tolerance, supports, zones and stated joints make one fingerprint; files are compared by theirs.
 #include "assembly/AssemblyOrigin.h"
 
 #include "core/Log.h"
@@ -54,6 +54,11 @@ std::uint64_t fingerprint(const Assembly<Dim>& assembly)
     {
         addShape(print, block);
         print.add(static_cast<double>(block.support));
+    }
+    if (assembly.jointTolerance) // else as before it was one of these
+    {
+        print.add("jointTolerance\n");
+        print.add(*assembly.jointTolerance);
     }
     for (const Support& support : assembly.supports)
     {

@@ -12,7 +12,9 @@
 namespace drystone
 {
 
-/// Of blocks (in the plane their thickness too) and supports, however they are written.
+/// Of all that results depend on, however it is written: blocks (in the plane their thickness too) and
+/// whether they are fixed, the jointTolerance where one is stated, names of supports, zones and stated
+/// joints.
 template<int Dim>
 std::uint64_t fingerprint(const Assembly<Dim>& assembly);
 

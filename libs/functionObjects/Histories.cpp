@@ -54,6 +54,7 @@ NumberTable readNumberTable(const std::filesystem::path& file)
     }
     table.columns.resize(table.names.size());
     int firstLeftOut = 0;
+    bool hasNoTime = false;
     while (nextLine(stream, line))
     {
         std::vector<double> numbers;
@@ -64,7 +65,12 @@ NumberTable readNumberTable(const std::filesystem::path& file)
                 numbers.push_back(*number);
             }
         }
-        const bool isRow = line.words.size() == table.names.size() && numbers.size() == table.names.size();
+        // A row of no moment is none either: what is drawn over time needs one.
+        const bool isOfTime = table.names.empty() || table.names.front() != "Time" || numbers.empty()
+                              || std::isfinite(numbers.front());
+        const bool isRow =
+            line.words.size() == table.names.size() && numbers.size() == table.names.size() && isOfTime;
+        hasNoTime = hasNoTime || !isOfTime;
         for (std::size_t column = 0; isRow && column < numbers.size(); ++column)
         {
             table.columns[column].push_back(numbers[column]);
@@ -75,7 +81,7 @@ NumberTable readNumberTable(const std::filesystem::path& file)
         }
     }
     const bool hasRows = !table.columns.empty() && !table.columns.front().empty();
-    table.damagedLine = hasRows ? firstLeftOut : 0; // others have words in each row
+    table.damagedLine = hasRows || hasNoTime ? firstLeftOut : 0; // others have words in each row
     return table;
 }
 
@@ -123,6 +129,10 @@ std::vector<std::pair<std::string, Plot>> historyPlots(const NumberTable& table,
         return plots;
     }
     const std::vector<double>& times = table.columns.front();
+    if (!std::all_of(times.begin(), times.end(), [](double time) { return std::isfinite(time); }))
+    {
+        return plots;
+    }
     const std::size_t stride = times.size() / mostPoints + 1;
     std::vector<std::string> drawn;
     for (std::size_t first = 1; first < table.names.size(); ++first)

@@ -17,16 +17,17 @@ struct NumberTable
     std::vector<std::string> names; ///< of the columns, without units
     std::vector<std::string> units;
     std::vector<std::vector<double>> columns;
-    int damagedLine = 0; ///< of the file, the first of a row that is none, among others that are; 0: none
+    int damagedLine = 0; ///< of the file, the first of a row that is none, among others that are, or of one
+                         ///< whose time is none; 0: none
 };
 
-/// Reads a table; rows that are no numbers, such as the last of a run that was killed, are left out. Empty
-/// for a file that is no such table.
+/// Reads a table; rows that are no numbers, such as the last of a run that was killed, are left out, and
+/// those whose Time is not finite. Empty for a file that is no such table.
 NumberTable readNumberTable(const std::filesystem::path& file);
 
 /// A plot over the first column for the columns of each unit, with at most some thousand points each: columns
-/// that are zero throughout are left out. None for a table whose first column is no time.
-/// \return each with the unit of its columns
+/// that are zero throughout are left out. None for a table whose first column is no time, or has one that is
+/// not finite. \return each with the unit of its columns
 std::vector<std::pair<std::string, Plot>> historyPlots(const NumberTable& table, const std::string& title);
 
 /// The picture of the columns of a unit beside their table, without its ending: energy_J, block3_m_s, and

@@ -2,6 +2,7 @@
 /// Blocks from the outlines of a drawing.
 #include "import/Drawing.h"
 
+#include "assembly/WrittenDigits.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "geometry/BroadPhase.h"
@@ -113,6 +114,44 @@ Polygon soundOutline(const DrawnOutline& drawn, double scale, const DrawingSetti
     return outline;
 }
 
+bool hasObliqueEdge(const Assembly<2>& assembly)
+{
+    return std::any_of(assembly.blocks.begin(), assembly.blocks.end(),
+                       [](const Block<2>& block)
+                       {
+                           for (std::size_t i = 0; i < block.outline.size(); ++i)
+                           {
+                               const Vector<2> along =
+                                   block.outline[(i + 1) % block.outline.size()] - block.outline[i];
+                               if (along.x() != 0 && along.y() != 0)
+                               {
+                                   return true;
+                               }
+                           }
+                           return false;
+                       });
+}
+
+/// The tolerance that the digits of the file require and the coordinates in metres do not show, as after a
+/// conversion from inches or a turn. Nothing where closeJoints finds the rounding by itself, or where all
+/// edges are parallel to the axes: corners on one line round alike. \param rounding [m]
+std::optional<double> toleranceOfRounding(const Assembly<2>& assembly, double rounding)
+{
+    constexpr double units = 1.5;      // half a unit along each axis, for two corners, and a little
+    constexpr double usual = 1e-6;     // of the mean size of the blocks
+    constexpr double coarsest = 1e-3;  // likewise: rounding is not followed beyond it
+    constexpr double alike = 1 - 1e-6; // powers of ten times a unit in metres
+    if (!(rounding > 0) || !hasObliqueEdge(assembly) || writtenRounding(assembly) >= alike * rounding)
+    {
+        return {};
+    }
+    const double size = meanBlockSize(assembly);
+    const double tolerance = std::clamp(units * rounding, usual * size, coarsest * size);
+    info("Import: coordinates are written to {:.3g} m; faces within {:.3g} m are joints", rounding,
+         tolerance);
+    return tolerance;
+}
+
 } // namespace
 
 Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings, const ImportedFile& file)
@@ -170,7 +209,8 @@ Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings,
          settings.scale ? "as `scale` says"
                         : (drawing.unit ? "as the file says" : "as the file does not say"));
     assembly.zones = zones.take();
-    assembly.jointTolerance = settings.tolerance;
+    assembly.jointTolerance =
+        settings.tolerance ? settings.tolerance : toleranceOfRounding(assembly, scale * drawing.rounding);
     return assembly;
 }
 

@@ -22,8 +22,9 @@ struct DrawnOutline
 struct Drawing
 {
     std::vector<DrawnOutline> outlines;
-    std::optional<double> unit = {};       ///< metres a unit of the drawing, where the file says it
-    double rounding = 0;                   ///< unit of the last digit of coordinates; 0: they have all digits
+    std::optional<double> unit = {}; ///< metres a unit of the drawing, where the file says it
+    double rounding = 0; ///< unit of the last digit of coordinates as they are drawn, after scaling by
+                         ///< transforms and inserts; 0: they have all digits
     std::vector<std::string> ignored = {}; ///< what was left out, a line each for the log: `12 entities TEXT`
 };
 
@@ -34,10 +35,9 @@ struct ChordSettings
 };
 
 /// AutoCAD DXF, text form: closed LWPOLYLINE and POLYLINE of layers that are not frozen or off, also in
-/// blocks that are inserted (moved, turned, scaled, in arrays, nested); bulges as chords; $INSUNITS. What is
-/// marked invisible is left out. Open
-/// polylines whose ends meet are closed; others, and other entities, are reported as ignored. \throws
-/// FatalIOError with the line
+/// blocks that are inserted (moved, turned, scaled, in arrays, nested) on layers that are not frozen; bulges
+/// as chords; $INSUNITS. What is marked invisible is left out. Open polylines whose ends meet are closed;
+/// others, and other entities, are reported as ignored. \throws FatalIOError with the line
 Drawing readDxf(const ImportedFile& file, const ChordSettings& chords);
 
 /// SVG: `path` with straight segments (M L H V Z, absolute and relative), `polygon`, `polyline` whose ends
@@ -52,13 +52,16 @@ struct DrawingSettings
     std::optional<double> scale = {};     ///< metres a unit of the drawing; absent: as the file says, or 1
     Vector<2> offset = Vector<2>::Zero(); ///< added to coordinates in metres
     double thickness = 1;                 ///< out of plane [m]
-    std::optional<double> tolerance = {}; ///< [m]; absent: joints are closed as JointClosure.h has it
+    std::optional<double> tolerance = {}; ///< [m]; absent: 1.5 units of the last digit of the file
     std::vector<std::string> layers = {}; ///< that have blocks; empty: all
 };
 
 /// The blocks of a drawing, in its order, layers as zones. Corners nearer to each other than 1e-6 of the
-/// outline's extent, or than the tolerance, are one. \throws FatalIOError with the line of an outline that is
-/// no simple polygon, and when there is none, or none of a layer that is named
+/// outline's extent, or than the tolerance, are one. The tolerance becomes Assembly::jointTolerance. Without
+/// one it is 1.5 units of the last digit of the coordinates, between 1e-6 and 1e-3 of the mean block size,
+/// where there are oblique edges and the coordinates in metres do not have that digit for their last one as
+/// well (writtenRounding); else none is stated. \throws FatalIOError with the line of an outline that is no
+/// simple polygon, and when there is none, or none of a layer that is named
 Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings, const ImportedFile& file);
 
 } // namespace drystone

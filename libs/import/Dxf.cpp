@@ -52,7 +52,7 @@ public:
         {
             drawing.ignored.push_back(fmt::format("{} {}", count, what));
         }
-        drawing.rounding = content.digits.unit();
+        drawing.rounding = largestFactor * content.digits.unit();
         return std::move(drawing);
     }
 
@@ -67,6 +67,13 @@ private:
         }
         for (const DxfInsert& insert : drawn.inserts)
         {
+            countInsert(insert); // those that are left out take time, too
+            const std::string own = insert.layer.empty() || insert.layer == "0" ? layer : insert.layer;
+            if (content.frozen.contains(lowerCase(own.empty() ? insert.layer : own)))
+            {
+                ++unused["inserts on layers that are frozen"];
+                continue;
+            }
             if (isLeftOut(insert))
             {
                 continue;
@@ -82,16 +89,14 @@ private:
                 refuse(file, insert.line,
                        fmt::format("Blocks are inserted in each other to more than {} levels.", deepest));
             }
-            const std::string own = insert.layer.empty() || insert.layer == "0" ? layer : insert.layer;
             const Transform outer = fromPlaneOf(insert, transform);
             for (int row = 0; row < insert.rows; ++row)
             {
                 for (int column = 0; column < insert.columns; ++column)
                 {
-                    if (++inserted > mostInserts)
+                    if (row + column > 0)
                     {
-                        refuse(file, insert.line,
-                               fmt::format("More than {} blocks are inserted.", mostInserts));
+                        countInsert(insert);
                     }
                     Eigen::Matrix2d turn;
                     turn << std::cos(insert.angle), -std::sin(insert.angle), std::sin(insert.angle),
@@ -104,6 +109,14 @@ private:
                     expand(block->second, inner, own, depth + 1);
                 }
             }
+        }
+    }
+
+    void countInsert(const DxfInsert& insert)
+    {
+        if (++inserted > mostInserts)
+        {
+            refuse(file, insert.line, fmt::format("More than {} blocks are inserted.", mostInserts));
         }
     }
 
@@ -171,6 +184,7 @@ private:
             }
         }
         corners += outline.corners.size();
+        largestFactor = std::max(largestFactor, plane.matrix.colwise().norm().maxCoeff());
         drawing.outlines.push_back(std::move(outline));
     }
 
@@ -212,7 +226,8 @@ private:
     std::size_t mostCorners; ///< of all outlines: memory is bounded by the size of the file
     std::size_t corners = 0;
     std::size_t inserted = 0;
-    std::map<std::string, int> unused;
+    double largestFactor = 0; ///< by which inserts scale an outline
+    std::map<std::string, std::size_t> unused;
     Drawing drawing;
 };
 

@@ -164,7 +164,8 @@ private:
                 continue;
             }
             std::string name;
-            bool isHidden = false;
+            bool isOff = false;
+            bool isFrozen = false;
             for (; groups.current().code != 0; groups.advance())
             {
                 const Group& group = groups.current();
@@ -172,12 +173,16 @@ private:
                 {
                     name = group.value;
                 }
-                isHidden = isHidden || (group.code == 70 && (groups.integer() & 1) != 0)
-                           || (group.code == 62 && groups.integer() < 0);
+                isOff = isOff || (group.code == 62 && groups.integer() < 0);
+                isFrozen = isFrozen || (group.code == 70 && (groups.integer() & 1) != 0);
             }
-            if (isHidden)
+            if (isOff || isFrozen)
             {
                 result.hidden.insert(lowerCase(name));
+            }
+            if (isFrozen)
+            {
+                result.frozen.insert(lowerCase(name));
             }
         }
     }

@@ -56,6 +56,7 @@ struct DxfFile
     DxfContent entities;
     std::map<std::string, DxfContent> blocks; ///< by their names in lower case: capitals make no difference
     std::set<std::string> hidden;             ///< layers that are off or frozen, likewise
+    std::set<std::string> frozen;             ///< those that are frozen: inserts on them are not drawn at all
     std::map<std::string, int> others;        ///< entities that are not read, by their names
     std::optional<double> unit;               ///< of the drawing [m]
     std::string unknownUnit;                  ///< what is said of one that is not known; or empty

@@ -4,6 +4,7 @@
 
 #include "core/Log.h"
 #include "geometry/Box.h"
+#include "geometry/space/FacePolygon.h"
 #include "geometry/space/PolyhedronFault.h"
 #include "import/Zones.h"
 #include "import/space/Mesh.h"
@@ -35,6 +36,7 @@ struct Piece
     std::string name;
     std::vector<std::string> zones;
     int line = 0;
+    int solid = 0; ///< of the file, of which it is all or a part
 };
 
 /// What was done, for the log.
@@ -109,21 +111,23 @@ std::vector<Piece> piecesOf(Solids& solids, const SolidSettings& settings, const
                             Tally& tally)
 {
     std::vector<Piece> pieces;
-    for (Solid& solid : solids.solids)
+    for (std::size_t index = 0; index < solids.solids.size(); ++index)
     {
+        Solid& solid = solids.solids[index];
+        const int number = static_cast<int>(index);
         tally.faces += solid.faces.size();
         Polyhedron shape = placed(solid, settings, file);
         solid.vertices = {};
         std::vector<Polyhedron> parts = parted(welded(shape, settings.tolerance.value_or(0)));
         if (solids.division == Division::asWritten && !isJoinedMesh(shape, parts))
         {
-            pieces.push_back({std::move(shape), solid.name, solid.zones, solid.line});
+            pieces.push_back({std::move(shape), solid.name, solid.zones, solid.line, number});
             continue;
         }
         tally.joinedMeshes += solids.division == Division::asWritten ? 1 : 0;
         for (Polyhedron& part : parts)
         {
-            pieces.push_back({std::move(part), solid.name, solid.zones, solid.line});
+            pieces.push_back({std::move(part), solid.name, solid.zones, solid.line, number});
         }
     }
     return pieces;
@@ -173,14 +177,52 @@ void requireSolid(const ImportedFile& file, const Piece& piece, std::size_t inde
     }
 }
 
-/// A joint from an interface: the normal is that of its outline, turned into the block with the lower index.
-StatedJoint<3> jointOf(const SolidInterface& interface, const std::vector<Block<3>>& blocks,
-                       const SolidSettings& settings)
+/// The blocks that a solid of the file became: all in one row.
+struct BlockRange
 {
-    StatedJoint<3> joint{std::min(interface.solid, interface.neighbour),
-                         std::max(interface.solid, interface.neighbour),
-                         Vector<3>::Zero(),
-                         {}};
+    std::size_t first = 0;
+    std::size_t end = 0;
+};
+
+std::vector<BlockRange> blocksOfSolids(const std::vector<Piece>& pieces, std::size_t solids)
+{
+    std::vector<BlockRange> ranges(solids);
+    for (std::size_t block = 0; block < pieces.size(); ++block)
+    {
+        BlockRange& range = ranges[static_cast<std::size_t>(pieces[block].solid)];
+        range = {range.end == 0 ? block : range.first, block + 1};
+    }
+    return ranges;
+}
+
+/// The one of the blocks of a solid on whose surface all points lie, or are nearest to lying.
+int nearestBlock(const BlockRange& range, const std::vector<Block<3>>& blocks,
+                 const std::vector<Vector<3>>& points)
+{
+    std::size_t nearest = range.first;
+    double least = 1e300;
+    for (std::size_t block = range.first; range.end - range.first > 1 && block < range.end; ++block)
+    {
+        double farthest = 0;
+        for (std::size_t i = 0; i < points.size() && farthest < least; ++i)
+        {
+            farthest = std::max(farthest, distanceFromSurface(blocks[block].shape, points[i]));
+        }
+        if (farthest < least)
+        {
+            least = farthest;
+            nearest = block;
+        }
+    }
+    return static_cast<int>(nearest);
+}
+
+/// A joint from an interface: the normal is that of its outline, turned into the block with the lower index.
+StatedJoint<3> jointOf(const SolidInterface& interface, const std::vector<BlockRange>& blocksOf,
+                       const std::vector<Block<3>>& blocks, const SolidSettings& settings,
+                       const ImportedFile& file)
+{
+    StatedJoint<3> joint;
     Vector<3> centre = Vector<3>::Zero();
     for (const Vector<3>& point : interface.points)
     {
@@ -188,18 +230,25 @@ StatedJoint<3> jointOf(const SolidInterface& interface, const std::vector<Block<
         centre += joint.points.back();
     }
     centre /= static_cast<double>(joint.points.size());
+    const int one = nearestBlock(blocksOf[static_cast<std::size_t>(interface.solid)], blocks, joint.points);
+    const int other =
+        nearestBlock(blocksOf[static_cast<std::size_t>(interface.neighbour)], blocks, joint.points);
+    joint.block = std::min(one, other);
+    joint.neighbour = std::max(one, other);
     Vector<3> area = Vector<3>::Zero();
     for (std::size_t i = 0; i < joint.points.size(); ++i)
     {
         area += momentOf(Vector<3>(joint.points[i] - centre),
                          Vector<3>(joint.points[(i + 1) % joint.points.size()] - centre));
     }
-    const double size = area.norm();
-    if (!(size > 0))
+    joint.normal = area / area.norm();
+    if (!(area.norm() > 0) || !joint.normal.allFinite())
     {
-        return joint;
+        refuse(file, 0,
+               fmt::format("The interface of blocks {} and {} has no area. Remove it, or leave the joints to "
+                           "`interfaces ignored;`.",
+                           joint.block, joint.neighbour));
     }
-    joint.normal = area / size;
     // The faces that lie along it say which side the block is on, nearest first.
     double nearest = 1e300;
     double sign = 0;
@@ -219,6 +268,14 @@ StatedJoint<3> jointOf(const SolidInterface& interface, const std::vector<Block<
             }
         }
     }
+    if (sign == 0)
+    {
+        refuse(
+            file, 0,
+            fmt::format("The interface of blocks {} and {} about ({:.6g} {:.6g} {:.6g}) lies along no face "
+                        "of either. Correct it, or leave the joints to `interfaces ignored;`.",
+                        joint.block, joint.neighbour, centre.x(), centre.y(), centre.z()));
+    }
     if (sign < 0)
     {
         joint.normal = -joint.normal;
@@ -227,21 +284,13 @@ StatedJoint<3> jointOf(const SolidInterface& interface, const std::vector<Block<
     return joint;
 }
 
-void stateJoints(Assembly<3>& assembly, const Solids& solids, const SolidSettings& settings,
-                 const ImportedFile& file)
+void stateJoints(Assembly<3>& assembly, const Solids& solids, const std::vector<Piece>& pieces,
+                 const SolidSettings& settings, const ImportedFile& file)
 {
+    const std::vector<BlockRange> blocksOf = blocksOfSolids(pieces, solids.solids.size());
     for (const SolidInterface& interface : solids.interfaces)
     {
-        StatedJoint<3> joint = jointOf(interface, assembly.blocks, settings);
-        if (joint.normal.isZero() || !joint.normal.allFinite())
-        {
-            refuse(file, 0,
-                   fmt::format(
-                       "The interface of blocks {} and {} has no area. Remove it, or leave the joints to "
-                       "`interfaces ignored;`.",
-                       joint.block, joint.neighbour));
-        }
-        assembly.statedJoints.push_back(std::move(joint));
+        assembly.statedJoints.push_back(jointOf(interface, blocksOf, assembly.blocks, settings, file));
     }
     std::stable_sort(assembly.statedJoints.begin(), assembly.statedJoints.end(),
                      [](const StatedJoint<3>& a, const StatedJoint<3>& b)
@@ -339,7 +388,7 @@ Assembly<3> solidBlocks(Solids solids, const SolidSettings& settings, const Impo
                    "The file has no interfaces: joints cannot be taken from it. Remove `interfaces "
                    "contacts;`.");
         }
-        stateJoints(assembly, solids, settings, file);
+        stateJoints(assembly, solids, pieces, settings, file);
         info("Import: the {} interfaces of the file are the joints", solids.interfaces.size());
     }
     else if (!solids.interfaces.empty())

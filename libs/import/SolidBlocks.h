@@ -52,8 +52,10 @@ struct SolidSettings
 /// is 1.75 units of the last digit of the coordinates, the most by which rounding parts two corners, but at
 /// most 0.005 of the mean size of the blocks. It becomes Assembly::jointTolerance. Where the coordinates have
 /// all digits, it is 1e-6 of this size, corners of different blocks are left as they are, and faces that are
-/// uneven by up to 1e-4 of it are made plane all the same. \throws FatalIOError that names the solid and its
-/// line when it is none (see findFault), or coordinates are beyond 1e6 m
+/// uneven by up to 1e-4 of it are made plane all the same. An interface of a solid that is several is that of
+/// the nearest of them. \throws FatalIOError that names the solid and its line when it is none (see
+/// findFault), or coordinates are beyond 1e6 m; where an interface has no area, or lies along no face of its
+/// blocks
 Assembly<3> solidBlocks(Solids solids, const SolidSettings& settings, const ImportedFile& file);
 
 } // namespace drystone

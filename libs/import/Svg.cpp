@@ -63,7 +63,7 @@ public:
         {
             drawing.ignored.push_back(fmt::format("{} shapes that are hidden (display, visibility)", hidden));
         }
-        drawing.rounding = digits.unit();
+        drawing.rounding = largestFactor * digits.unit();
         return std::move(drawing);
     }
 
@@ -469,6 +469,7 @@ private:
         {
             corner = transform.matrix * corner + transform.shift;
         }
+        largestFactor = std::max(largestFactor, transform.matrix.colwise().norm().maxCoeff());
         drawing.outlines.push_back({std::move(corners), layer, line});
     }
 
@@ -476,7 +477,8 @@ private:
     std::size_t counted = 0; ///< bytes whose line ends are counted
     int lines = 1;
     std::map<std::string, int> others;
-    int hidden = 0; ///< shapes
+    int hidden = 0;           ///< shapes
+    double largestFactor = 0; ///< by which transforms scale an outline
     DigitCount digits;
     Drawing drawing;
 };

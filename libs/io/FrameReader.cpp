@@ -41,22 +41,37 @@ BlockFrame readFrame(const std::filesystem::path& file, double time, std::size_t
     vtkDataArray* block = fields->GetArray("blockId");
     vtkDataArray* displacement = fields->GetArray("displacement[m]");
     vtkDataArray* rotation = fields->GetArray("rotation[rad]");
-    if (!block || !displacement || !rotation || displacement->GetNumberOfComponents() != 3)
+    if (!block || !displacement || !rotation)
     {
         fail("blockId, displacement or rotation is missing");
+    }
+    const int turns = rotation->GetNumberOfComponents();
+    if (block->GetNumberOfComponents() != 1 || displacement->GetNumberOfComponents() != 3
+        || (turns != 1 && turns != 3))
+    {
+        fail(fmt::format(
+            "blockId, displacement and rotation have {}, {} and {} components, not 1, 3 and 1 or 3",
+            block->GetNumberOfComponents(), displacement->GetNumberOfComponents(), turns));
+    }
+    const vtkIdType cells = block->GetNumberOfTuples();
+    if (displacement->GetNumberOfTuples() != cells || rotation->GetNumberOfTuples() != cells)
+    {
+        fail(fmt::format("blockId, displacement and rotation have {}, {} and {} rows", cells,
+                         displacement->GetNumberOfTuples(), rotation->GetNumberOfTuples()));
     }
     const auto count = static_cast<Eigen::Index>(blocks);
     constexpr double absent = std::numeric_limits<double>::quiet_NaN();
     BlockFrame frame{time, Eigen::Matrix3Xd::Constant(3, count, absent),
                      Eigen::Matrix3Xd::Constant(3, count, absent)};
-    const bool isPlane = rotation->GetNumberOfComponents() == 1;
-    for (vtkIdType cell = 0; cell < block->GetNumberOfTuples(); ++cell)
+    const bool isPlane = turns == 1;
+    for (vtkIdType cell = 0; cell < cells; ++cell)
     {
-        const auto index = static_cast<Eigen::Index>(block->GetTuple1(cell));
-        if (index < 0 || index >= count)
+        const double number = block->GetTuple1(cell);
+        if (!(number >= 0 && number < static_cast<double>(blocks)))
         {
-            fail(fmt::format("it shows block {}, and there are {}", index, blocks));
+            fail(fmt::format("it shows block {}, and there are {}", number, blocks));
         }
+        const auto index = static_cast<Eigen::Index>(number);
         displacement->GetTuple(cell, frame.displacement.col(index).data());
         if (isPlane)
         {

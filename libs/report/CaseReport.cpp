@@ -205,13 +205,13 @@ void addHistories(HtmlPage& page, const fs::path& caseDirectory)
     }
 }
 
-/// Whether a row that says it has a multiplier has none.
+/// Whether a row that says it has a multiplier has none, or says nothing that there is.
 bool hasNoNumber(const NumberTable& multipliers)
 {
     for (std::size_t row = 0; row < multipliers.columns.front().size(); ++row)
     {
-        const bool isSolved = multipliers.columns[1][row] == static_cast<double>(CollapseStatus::optimal);
-        if (isSolved && !std::isfinite(multipliers.columns[0][row]))
+        const std::optional<CollapseStatus> status = storedStatus(multipliers.columns[1][row]);
+        if (!status || (status == CollapseStatus::optimal && !std::isfinite(multipliers.columns[0][row])))
         {
             return true;
         }

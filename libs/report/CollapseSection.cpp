@@ -41,7 +41,7 @@ std::vector<LimitAnalysis> storedAnswers(const fs::path& caseDirectory, const Nu
     {
         LimitAnalysis answer;
         answer.alpha = table.columns[0][row];
-        answer.status = static_cast<CollapseStatus>(static_cast<int>(table.columns[1][row]));
+        answer.status = storedStatus(table.columns[1][row]).value_or(CollapseStatus::notConverged);
         answer.combination = row < names.size() ? names[row] : "";
         answers.push_back(std::move(answer));
     }
@@ -163,6 +163,20 @@ std::string meaningOfAlpha(const LimitAnalysisCase<Dim>& structure)
 }
 
 } // namespace
+
+std::optional<CollapseStatus> storedStatus(double number)
+{
+    for (const CollapseStatus status :
+         {CollapseStatus::optimal, CollapseStatus::unstable, CollapseStatus::unbounded,
+          CollapseStatus::notConverged, CollapseStatus::upperBound})
+    {
+        if (number == static_cast<double>(status))
+        {
+            return status;
+        }
+    }
+    return std::nullopt;
+}
 
 template<int Dim>
 void addCollapse(HtmlPage& page, const fs::path& caseDirectory, InputOfResults input)

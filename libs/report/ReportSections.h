@@ -4,8 +4,10 @@
 
 #include "assembly/Assembly.h"
 #include "report/HtmlPage.h"
+#include "statics/LimitAnalysis.h"
 
 #include <filesystem>
+#include <optional>
 
 namespace drystone
 {
@@ -16,6 +18,9 @@ enum class InputOfResults
     same,
     other ///< what multiplies a result by a load of now is left out
 };
+
+/// The status that a number of the table of limitAnalysis stands for; nothing for a number of none.
+std::optional<CollapseStatus> storedStatus(double number);
 
 /// The answers of limitAnalysis with what they mean and their certificate; nothing without its table.
 template<int Dim>

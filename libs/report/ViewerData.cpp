@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace drystone
@@ -57,12 +58,29 @@ std::string list(const Eigen::Ref<const Eigen::Matrix3Xd>& values)
     return fmt::format("[{}]", fmt::join(numbers, ","));
 }
 
-std::string blockJson(const Polyhedron& solid, const Vector<3>& centre, bool isFixed)
+/// What centres are relative to: the mean of those of the free blocks, or of all where none is free.
+Vector<3> middleOf(const std::vector<Vector<3>>& centres, const std::vector<bool>& isFixed)
+{
+    const bool isAll = std::find(isFixed.begin(), isFixed.end(), false) == isFixed.end();
+    Vector<3> sum = Vector<3>::Zero();
+    double count = 0;
+    for (std::size_t block = 0; block < centres.size(); ++block)
+    {
+        if (isAll || !isFixed[block])
+        {
+            sum += centres[block];
+            ++count;
+        }
+    }
+    return sum / std::max(1.0, count);
+}
+
+std::string blockJson(const Polyhedron& solid, const Vector<3>& centre, const Vector<3>& middle, bool isFixed)
 {
     Eigen::Matrix3Xd vertices(3, static_cast<Eigen::Index>(solid.vertices.size()));
     for (std::size_t i = 0; i < solid.vertices.size(); ++i)
     {
-        vertices.col(static_cast<Eigen::Index>(i)) = solid.vertices[i];
+        vertices.col(static_cast<Eigen::Index>(i)) = solid.vertices[i] - centre;
     }
     std::vector<std::string> faces;
     for (const std::vector<int>& face : solid.faces)
@@ -70,7 +88,7 @@ std::string blockJson(const Polyhedron& solid, const Vector<3>& centre, bool isF
         faces.push_back(fmt::format("[{}]", fmt::join(face, ",")));
     }
     return fmt::format(R"({{"vertices":{},"faces":[{}],"centre":{},"fixed":{}}})", list(vertices),
-                       fmt::join(faces, ","), list(centre), isFixed);
+                       fmt::join(faces, ","), list(centre - middle), isFixed);
 }
 
 } // namespace
@@ -79,11 +97,18 @@ template<int Dim>
 std::string viewerJson(const Assembly<Dim>& assembly, const std::vector<BlockFrame>& frames,
                        const AnimationTime& time)
 {
-    std::vector<std::string> blocks;
+    std::vector<Vector<3>> centres;
+    std::vector<bool> isFixed;
     for (const Block<Dim>& block : assembly.blocks)
     {
-        blocks.push_back(
-            blockJson(solidOf(block), inSpace<Dim>(blockMass<Dim>(block).centroid), block.support >= 0));
+        centres.push_back(inSpace<Dim>(blockMass<Dim>(block).centroid));
+        isFixed.push_back(block.support >= 0);
+    }
+    const Vector<3> middle = middleOf(centres, isFixed);
+    std::vector<std::string> blocks;
+    for (std::size_t i = 0; i < centres.size(); ++i)
+    {
+        blocks.push_back(blockJson(solidOf(assembly.blocks[i]), centres[i], middle, isFixed[i]));
     }
     std::vector<std::string> moments;
     for (const BlockFrame& frame : frames)

@@ -23,10 +23,11 @@ struct AnimationTime
 };
 
 /// The motion as JSON: `dimensions`, `timeName`, `timeUnit`, `magnification`; `blocks`, each with `vertices`
-/// (x y z of one after the other, as built [m]), `faces` (indices, outward by the right-hand rule), `centre`
-/// of mass [m] and `fixed`; `frames`, each with `time`, and `displacement` [m] and `rotation` (a vector
-/// [rad]) of one block after the other, `null` for a block that the frame does not show. Blocks of the plane
-/// are prisms of their thickness about z = 0. Numbers have six digits.
+/// (x y z of one after the other, as built, from its centre [m]), `faces` (indices, outward by the right-hand
+/// rule), `centre` of mass, from the middle of the free ones [m], and `fixed`; `frames`, each with `time`,
+/// and `displacement` [m] and `rotation` (a vector [rad]) of one block after the other, `null` for a block
+/// that the frame does not show. Blocks of the plane are prisms of their thickness about z = 0. Numbers have
+/// six digits, which coordinates of a map need for themselves.
 template<int Dim>
 std::string viewerJson(const Assembly<Dim>& assembly, const std::vector<BlockFrame>& frames,
                        const AnimationTime& time);

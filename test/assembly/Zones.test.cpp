@@ -108,6 +108,20 @@ TEST_F(Zones, JointsThatAreStatedAreReadBackAsTheyWereWritten)
     EXPECT_NE(fingerprint(read), fingerprint(twoCubes()));
 }
 
+// A second `jointTolerance` made other joints, and the results of the first were said to be of the same
+// input.
+TEST_F(Zones, OtherJointTolerancesAreOtherStructures)
+{
+    Assembly<3> assembly = twoCubes();
+    assembly.jointTolerance = 0.001;
+    write("constant/assembly/blocks", assemblyText(assembly));
+    EXPECT_EQ(fingerprint(readBlocks<3>(directory)), fingerprint(assembly));
+    Assembly<3> other = assembly;
+    other.jointTolerance = 0.002;
+    EXPECT_NE(fingerprint(other), fingerprint(assembly));
+    EXPECT_NE(fingerprint(twoCubes()), fingerprint(assembly));
+}
+
 TEST_F(Zones, JointsOfBlocksThatDoNotExistAreRefused)
 {
     for (const auto& [block, neighbour] : {std::pair(0, 2), {-1, 0}, {1, 0}, {1, 1}})

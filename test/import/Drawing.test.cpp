@@ -185,6 +185,29 @@ TEST(Dxf, TheFrameOfASplineAndMeshesAreNotDrawn)
     EXPECT_THAT(drawing.ignored, testing::ElementsAre("1 entities POLYLINE that are meshes"));
 }
 
+// A layer that is off hides what is on it, one that is frozen also the blocks that are inserted on it.
+TEST(Dxf, InsertsOnFrozenLayersAreLeftOutWithAllThatTheyInsert)
+{
+    const std::string blocks =
+        section("BLOCKS", groups({{0, "BLOCK"}, {2, "b"}}) + square // on `stone`
+                              + groups({{0, "ENDBLK"}, {0, "BLOCK"}, {2, "outer"}})
+                              + groups({{0, "INSERT"}, {8, "0"}, {2, "b"}}) + groups({{0, "ENDBLK"}}));
+    const auto ofInsert = [&](const std::string& flags, const std::string& colour, const std::string& block)
+    {
+        const std::string tables =
+            groups({{0, "TABLE"}, {2, "LAYER"}, {0, "LAYER"}, {2, "Old"}, {70, flags}, {62, colour}})
+            + groups({{0, "ENDTAB"}});
+        const std::string insert = groups({{0, "INSERT"}, {8, "old"}, {2, block}});
+        return read(section("TABLES", tables) + blocks + section("ENTITIES", insert) + end);
+    };
+    const Drawing frozen = ofInsert("1", "7", "b");
+    EXPECT_TRUE(frozen.outlines.empty());
+    EXPECT_THAT(frozen.ignored, testing::ElementsAre("1 inserts on layers that are frozen"));
+    EXPECT_TRUE(ofInsert("1", "7", "outer").outlines.empty());
+    EXPECT_EQ(ofInsert("0", "-7", "b").outlines.size(), 1u);
+    EXPECT_EQ(ofInsert("4", "7", "outer").outlines.size(), 1u) << "only locked";
+}
+
 TEST(Dxf, HiddenLayersAreLeftOut)
 {
     const std::string tables = groups(
@@ -248,6 +271,16 @@ TEST(Dxf, HostileFilesEndInAMessage)
     const std::string all = groups({{0, "INSERT"}, {2, "b15"}, {10, "0"}, {20, "0"}});
     EXPECT_THAT(report(section("BLOCKS", nested) + section("ENTITIES", all) + end),
                 HasSubstr("more than 1000000"));
+    // As many that are left out, each of which took its time.
+    std::string hidden = groups({{0, "BLOCK"}, {2, "h"}});
+    for (int i = 0; i < 2000; ++i)
+    {
+        hidden += groups({{0, "INSERT"}, {60, "1"}, {2, "h"}});
+    }
+    hidden += groups({{0, "ENDBLK"}});
+    const std::string array = groups({{0, "INSERT"}, {2, "h"}, {70, "1000"}, {71, "999"}});
+    EXPECT_THAT(report(section("BLOCKS", hidden) + section("ENTITIES", array) + end),
+                HasSubstr("More than 1000000"));
     const std::string self = groups({{0, "BLOCK"}, {2, "a"}, {0, "INSERT"}, {2, "a"}, {0, "ENDBLK"}});
     EXPECT_THAT(
         report(section("BLOCKS", self) + section("ENTITIES", groups({{0, "INSERT"}, {2, "a"}})) + end),
@@ -490,6 +523,40 @@ TEST(Drawing, CornersThatAreWrittenTwiceAreOneAndOrientationDoesNotMatter)
     EXPECT_EQ(assembly.blocks[0].outline.size(), 4u);
     EXPECT_DOUBLE_EQ(areaProperties(assembly.blocks[0].outline).area, 1);
     EXPECT_EQ(assembly.zones[0].name, "Layer_1");
+}
+
+// Of a wall at an angle, in inches, half of the joints were none: metres have other last digits.
+TEST(Drawing, DigitsOfTheFileSayHowNearFacesAreJoints)
+{
+    Drawing drawing;
+    drawing.outlines = {{{{0, 0}, {38.3, 11.7}, {35.1, 22.4}, {-3.2, 10.7}}, "", 0}};
+    drawing.rounding = 0.1;
+    const auto tolerance = [&](double unit)
+    {
+        drawing.unit = unit;
+        return drawnBlocks(drawing, {}, fileOf("")).jointTolerance.value_or(0);
+    };
+    EXPECT_EQ(tolerance(1), 0) << "found from the coordinates, as before";
+    const double coarsest = 1e-3 * meanBlockSize(drawnBlocks(drawing, {}, fileOf("")));
+    EXPECT_DOUBLE_EQ(tolerance(0.0254), 0.0254 * coarsest);
+    drawing.rounding = 0.001;
+    EXPECT_DOUBLE_EQ(tolerance(0.0254), 1.5 * 0.0254 * 0.001);
+    DrawingSettings settings;
+    settings.tolerance = 1e-5;
+    EXPECT_EQ(drawnBlocks(drawing, settings, fileOf("")).jointTolerance, 1e-5);
+    drawing.outlines = {{{{0, 0}, {38.3, 0}, {38.3, 11.7}, {0, 11.7}}, "", 0}};
+    EXPECT_EQ(tolerance(0.0254), 0) << "edges along the axes stay on common lines";
+}
+
+TEST(Drawing, DigitsAreScaledAsTheOutlinesAre)
+{
+    const std::string insert = groups({{0, "INSERT"}, {2, "b"}, {41, "3"}, {42, "-3"}, {50, "90"}});
+    const std::string triangle =
+        triangleBlock("b", "0.0", {{{"0.0", "0.0"}, {"1.5", "0.5"}, {"0.0", "2.5"}}});
+    EXPECT_NEAR(read(section("BLOCKS", triangle) + section("ENTITIES", insert) + end).rounding, 0.3, 1e-15);
+    EXPECT_NEAR(
+        readVector("<g transform=\"scale(4)\"><polygon points=\"0.0 0.0 1.5 0.5 0.0 2.5\"/></g>").rounding,
+        0.4, 1e-15);
 }
 
 } // namespace

@@ -95,6 +95,25 @@ std::vector<double> sortedVolumes(const std::vector<Polyhedron>& shapes)
     return volumes;
 }
 
+/// One object of several blocks, as it is exported when they were joined before.
+Polyhedron oneObjectOf(const std::vector<Polyhedron>& shapes)
+{
+    Polyhedron joined;
+    for (const Polyhedron& shape : shapes)
+    {
+        for (std::vector<int> face : shape.faces)
+        {
+            for (int& vertex : face)
+            {
+                vertex += static_cast<int>(joined.vertices.size());
+            }
+            joined.faces.push_back(std::move(face));
+        }
+        joined.vertices.insert(joined.vertices.end(), shape.vertices.begin(), shape.vertices.end());
+    }
+    return joined;
+}
+
 const std::string dome = "type dome; radius 1; thickness 0.1; around 8; rows 6; cap 10;";
 const std::string corner =
     "type walls; unit (0.25 0.125 0.065); bond running; courses 4; walls { a { from (0 0); "
@@ -165,20 +184,8 @@ TEST(SolidBlocks, TouchingSolidsOfASoupOfTrianglesAreParted)
 
 TEST(SolidBlocks, BlocksThatWereJoinedToOneObjectAreParted)
 {
-    Polyhedron joined;
-    for (const Vector<3>& lower : {Vector<3>(0, 0, 0), Vector<3>(0, 0, 1), Vector<3>(1, 0, 0)})
-    {
-        const Polyhedron box = makeBox(lower, lower + Vector<3>::Ones());
-        for (std::vector<int> face : box.faces)
-        {
-            for (int& vertex : face)
-            {
-                vertex += static_cast<int>(joined.vertices.size());
-            }
-            joined.faces.push_back(std::move(face));
-        }
-        joined.vertices.insert(joined.vertices.end(), box.vertices.begin(), box.vertices.end());
-    }
+    const Polyhedron joined = oneObjectOf(
+        {makeBox({0, 0, 0}, {1, 1, 1}), makeBox({0, 0, 1}, {1, 1, 2}), makeBox({1, 0, 0}, {2, 1, 1})});
     const Polyhedron other = makeBox({5, 0, 0}, {6, 1, 1});
     const Assembly<3> assembly = solidBlocks(solidsOf({joined, other}), {}, file);
     ASSERT_EQ(assembly.blocks.size(), 4u);
@@ -327,6 +334,31 @@ TEST(SolidBlocks, InterfacesBecomeJointsWithNormalsIntoTheLowerBlock)
     }
     solids.interfaces = {{1, 0, {{0, 0, 1}, {1, 0, 1}, {2, 0, 1}}}};
     EXPECT_THAT(test::reportOf([&] { solidBlocks(solids, settings, file); }), HasSubstr("has no area"));
+    solids.interfaces = {{1, 0, {{0, 0, 1}, {1, 0, 1}, {1, 1, 2}}}};
+    EXPECT_THAT(test::reportOf([&] { solidBlocks(solids, settings, file); }),
+                HasSubstr("lies along no face of either"));
+}
+
+// Interfaces name solids by their numbers in the file, which are not those of blocks once one is parted.
+TEST(SolidBlocks, InterfacesOfAPartedObjectAreThoseOfItsNearestPart)
+{
+    const auto square = [](double x) {
+        return std::vector<Vector<3>>{{x, 0, 0}, {x + 1, 0, 0}, {x + 1, 1, 0}, {x, 1, 0}};
+    };
+    Solids solids = solidsOf({oneObjectOf({makeBox({0, 0, 0}, {1, 1, 1}), makeBox({3, 0, 0}, {4, 1, 1})}),
+                              makeBox({0, 0, -1}, {8, 1, 0}), makeBox({6, 0, 0}, {7, 1, 1})});
+    solids.interfaces = {{0, 1, square(0)}, {0, 1, square(3)}, {1, 2, square(6)}};
+    SolidSettings settings;
+    settings.interfaces = Interfaces::contacts;
+    const Assembly<3> assembly = solidBlocks(solids, settings, file);
+    ASSERT_EQ(assembly.blocks.size(), 4u);
+    std::vector<std::array<int, 2>> pairs;
+    for (const StatedJoint<3>& joint : assembly.statedJoints)
+    {
+        pairs.push_back({joint.block, joint.neighbour});
+        EXPECT_EQ(joint.normal, Vector<3>(0, 0, joint.block == 2 ? -1 : 1));
+    }
+    EXPECT_EQ(pairs, (std::vector<std::array<int, 2>>{{0, 2}, {1, 2}, {2, 3}}));
 }
 
 TEST(Weld, PointsWithinTheToleranceAreOneNode)

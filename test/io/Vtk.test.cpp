@@ -5,6 +5,7 @@
 #include "contact/Facing.h"
 #include "core/Error.h"
 #include "core/WholeFile.h"
+#include "io/FrameReader.h"
 #include "io/Frames.h"
 #include "io/Mechanism.h"
 #include "io/VtkLibrary.h"
@@ -488,6 +489,47 @@ TEST(VtkSeries, WhatIsNoListOfFramesIsRefused)
     EXPECT_THAT(read("{\"files\": [{\"name\": \"x.vtp\"}]}"), HasSubstr("entry 0"));
     EXPECT_THAT(read("{\"files\": [{\"name\": \"../x.vtp\", \"time\": 0}]}"), HasSubstr("entry 0"));
     EXPECT_THAT(read("{\"files\": [{\"name\": \"x.vtp\", \"time\": 1e999}]}"), HasSubstr("too large"));
+}
+
+/// A frame of one triangle as a text, as of another program.
+std::string frameOfTriangle(const std::string& block, int components, const std::string& rotation)
+{
+    const auto array =
+        [](const std::string& type, const std::string& name, int count, const std::string& values)
+    {
+        return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" format=\"ascii\" NumberOfComponents=\""
+               + std::to_string(count) + "\">" + values + "</DataArray>\n";
+    };
+    return "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\"><PolyData>\n"
+           "<Piece NumberOfPoints=\"3\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
+           "NumberOfPolys=\"1\">\n<PointData></PointData><CellData>"
+           + array("Float64", "blockId", 1, block) + array("Float64", "displacement[m]", 3, "1 2 3")
+           + array("Float64", "rotation[rad]", components, rotation) + "</CellData><Points>"
+           + array("Float32", "Points", 3, "0 0 0 1 0 0 0 1 0") + "</Points><Polys>"
+           + array("Int32", "connectivity", 1, "0 1 2") + array("Int32", "offsets", 1, "3")
+           + "</Polys></Piece></PolyData></VTKFile>\n";
+}
+
+// A rotation of nine components was written beyond the end of those of the blocks.
+TEST(BlockFrames, OfOtherFieldsAreRefused)
+{
+    const ScratchFolder folder;
+    std::ofstream(folder / "blocks.vtp.series") << "{\"files\": [\n{\"time\": 0.5, \"name\": \"x.vtp\"}]}\n";
+    const auto read = [&](const std::string& frame)
+    {
+        std::ofstream(folder / "x.vtp") << frame;
+        return readBlockFrames(folder.path(), "blocks", 1, 1);
+    };
+    EXPECT_EQ(read(frameOfTriangle("0", 1, "4")).front().rotation, Vector<3>(0, 0, 4));
+    EXPECT_EQ(read(frameOfTriangle("0", 3, "4 5 6")).front().rotation, Vector<3>(4, 5, 6));
+    EXPECT_THAT(messageOf([&] { read(frameOfTriangle("0", 9, "1 2 3 4 5 6 7 8 9")); }),
+                testing::AllOf(HasSubstr("x.vtp is no frame"), HasSubstr("1, 3 and 9 components")));
+    EXPECT_THAT(messageOf([&] { read(frameOfTriangle("0", 2, "1 2")); }), HasSubstr("1, 3 and 2 components"));
+    for (const char* block : {"1", "-1", "1e30"})
+    {
+        EXPECT_THAT(messageOf([&] { read(frameOfTriangle(block, 1, "0")); }), HasSubstr("it shows block"))
+            << block;
+    }
 }
 
 TEST(VtkSeries, ADamagedListIsRefusedOrReadButNeverCrashes)

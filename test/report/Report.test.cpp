@@ -96,6 +96,19 @@ TEST_F(Histories, ReadsATableUpToARowThatIsCutOff)
     EXPECT_TRUE(readNumberTable("/nowhere/at/all").names.empty());
 }
 
+// One such time ended the whole report.
+TEST_F(Histories, RowsWithoutATimeAreLeftOutAndNamed)
+{
+    const NumberTable table = tableOf("# Time[s] ux[m]\n0 1\nnan 2\n0.2 3\ninf 4\n");
+    EXPECT_THAT(table.columns[0], ElementsAre(0, 0.2));
+    EXPECT_EQ(table.damagedLine, 3);
+    EXPECT_EQ(historyPlots(table, "").size(), 1U);
+    EXPECT_EQ(tableOf("# Time[s] ux[m]\nnan 1\n").damagedLine, 2);
+    NumberTable other{{"Time", "ux"}, {"s", "m"}, {{0, std::nan("")}, {1, 2}}};
+    EXPECT_TRUE(historyPlots(other, "").empty());
+    EXPECT_EQ(tableOf("# alpha[-] b[-]\ninf 1\n").damagedLine, 0);
+}
+
 TEST_F(Histories, DrawsColumnsOfOneUnitTogetherAndThoseThatAreZeroNot)
 {
     const auto plots = historyPlots(
@@ -118,8 +131,8 @@ TEST(ViewerData, HoldsBlocksAndFrames)
     const std::string json = viewerJson(plane, {frame}, {"time", " s", 3});
     EXPECT_THAT(
         json, testing::StartsWith(R"({"dimensions":2,"timeName":"time","timeUnit":" s","magnification":3,)"));
-    // A prism of the thickness about z = 0: three corners behind, three in front, five faces.
-    EXPECT_THAT(json, HasSubstr(R"("vertices":[0,0,-0.25,2,0,-0.25,2,1,-0.25,0,0,0.25,2,0,0.25,2,1,0.25])"));
+    // Prisms of the thickness about z = 0: corners behind, then in front, faces with those of both.
+    EXPECT_THAT(json, HasSubstr(R"("vertices":[-2,-0.5,-0.5,2,-0.5,-0.5,2,0.5,-0.5,-2,0.5,-0.5,)"));
     EXPECT_THAT(json, HasSubstr(R"("faces":[[2,1,0],[3,4,5],[0,1,4,3],[1,2,5,4],[2,0,3,5]])"));
     EXPECT_THAT(json, HasSubstr(R"("fixed":false},)"));
     EXPECT_THAT(
@@ -128,7 +141,22 @@ TEST(ViewerData, HoldsBlocksAndFrames)
 
     Assembly<3> space;
     space.blocks = {{makeBox({0, 0, 0}, {1, 2, 4}), -1}};
-    EXPECT_THAT(viewerJson(space, {}, {}), HasSubstr(R"("centre":[0.5,1,2])"));
+    EXPECT_THAT(viewerJson(space, {}, {}), HasSubstr(R"("centre":[0,0,0])"));
+}
+
+// With coordinates of a map six digits are metres: all blocks were points and lines.
+TEST(ViewerData, IsTheSameWhereverTheStructureStands)
+{
+    const auto wallAt = [](const Vector<3>& place)
+    {
+        Assembly<3> wall;
+        wall.blocks = {{makeBox(place - Vector<3>(8, 8, 1), place + Vector<3>(8, 8, 0)), 0},
+                       {makeBox(place, place + Vector<3>(1, 2, 0.5)), -1},
+                       {makeBox(place + Vector<3>(0, 0, 0.5), place + Vector<3>(1, 2, 1)), -1}};
+        return viewerJson(wall, {}, {});
+    };
+    EXPECT_EQ(wallAt({393216, 524288, 128}), wallAt(Vector<3>::Zero()));
+    EXPECT_THAT(wallAt(Vector<3>::Zero()), HasSubstr(R"("centre":[0,0,0.25])"));
 }
 
 } // namespace

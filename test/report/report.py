@@ -99,6 +99,7 @@ class Report(CaseTest):
         heading, row = good.splitlines()
         for content, said in {None: "is missing", "garbage x y\n": "holds no multiplier",
                               f"{heading}\nnan {row.split(maxsplit=1)[1]}\n": "holds no multiplier",
+                              f"{heading}\n{row.split()[0]} nan {row.split(maxsplit=2)[2]}\n": "holds no multiplier",
                               f"{good}0.1 abc\n": "is damaged in line 3"}.items():
             os.remove(os.path.join(case, name))
             if content is not None:

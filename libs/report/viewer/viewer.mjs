@@ -31,7 +31,7 @@ function colourOf(share) {
 function geometryOf(block) {
     const positions = [];
     const edges = [];
-    const corner = (index) => new THREE.Vector3().fromArray(block.vertices, 3 * index).sub(new THREE.Vector3(...block.centre));
+    const corner = (index) => new THREE.Vector3().fromArray(block.vertices, 3 * index);
     for (const face of block.faces) {
         const corners = face.map(corner);
         const normal = new THREE.Vector3();
