@@ -217,9 +217,10 @@ void chooseTimeStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, do
     double allowed = std::min({scene.schemes.maxDeltaT, wanted, boundsAt(now).longest});
     allowed = fastest * allowed > reach ? reach / fastest : allowed;
     // Nothing that moves ground or supports is stepped over. A change so soon is where the last step has
-    // ended, but for rounding.
+    // ended, but for rounding: what begins there is followed from now on.
     constexpr double soon = 1e-3; // of a step
-    time.setDeltaT(allowed, boundsAt(now + soon * allowed).nextChange);
+    const StepBounds bounds = boundsAt(now + soon * allowed);
+    time.setDeltaT(std::min(allowed, bounds.longest), bounds.nextChange);
 }
 
 template<int Dim>

@@ -13,9 +13,6 @@ namespace drystone
 namespace
 {
 
-/// Fewer points are those of a pulse or a ramp, and not samples.
-constexpr std::size_t fewestSamples = 10;
-
 /// The median distance of the points of a history [s]; 0 of one that is not sampled.
 double sampleInterval(const GroundAcceleration& history)
 {

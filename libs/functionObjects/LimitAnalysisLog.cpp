@@ -321,7 +321,8 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
     else if (results.size() == 2 && results[0].status != CollapseStatus::unstable)
     {
         info("Range of load multipliers: {:.9g} to {:.9g}\n",
-             results[1].status == CollapseStatus::unbounded ? -tabledAlpha(results[1]) : results[1].alpha,
+             results[1].status == CollapseStatus::unbounded ? -tabledAlpha(results[1])
+                                                            : results[1].alpha + 0.0, // no -0
              knownAlpha(results[0]));
     }
 }

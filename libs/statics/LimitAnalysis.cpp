@@ -5,6 +5,9 @@
 #include "conic/form/Form.h"
 #include "statics/CompletedAnalysis.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace drystone
 {
 namespace
@@ -15,6 +18,16 @@ Eigen::VectorXd normalised(const Eigen::VectorXd& mechanism)
 {
     const double largest = mechanism.size() > 0 ? mechanism.lpNorm<Eigen::Infinity>() : 0;
     return largest > 0 ? Eigen::VectorXd(mechanism / largest) : mechanism;
+}
+
+/// What is left of a multiplier of zero by rounding is zero.
+template<int Rows, int Forces>
+double withoutRounding(double multiplier, const ConeProgram<Rows, Forces>& program, double tolerance)
+{
+    constexpr double largest = 1e-12; // however small the live load is
+    const double zero = std::min(largest, tolerance * program.load.template lpNorm<Eigen::Infinity>()
+                                              / program.liveLoad.template lpNorm<Eigen::Infinity>());
+    return std::abs(multiplier) < zero ? 0 : multiplier;
 }
 
 } // namespace
@@ -108,7 +121,7 @@ LimitAnalysis completedAnalysis(const ConeProgram<Rows, Forces>& program, const 
     {
     case SolveStatus::optimal:
         result.status = CollapseStatus::optimal;
-        result.alpha = solution.multiplier;
+        result.alpha = withoutRounding(solution.multiplier, program, settings.tolerance);
         result.mechanism = normalised(solution.displacement);
         break;
     case SolveStatus::unbounded:

@@ -42,6 +42,76 @@ StepBounds boundsOfPulse(const PulseShape& pulse, double wave, double time)
     return bounds;
 }
 
+/// A time during which a table has one sign.
+struct TablePulse
+{
+    double from = 0; ///< [s]
+    double to = 0;   ///< [s]
+};
+
+/// What a table that is not sampled draws: from one jump, zero or change of sign to the next.
+std::vector<TablePulse> pulsesOf(const std::vector<double>& times, std::vector<double> values)
+{
+    constexpr double nothing = 1e-3; // of the peak: what is left of rounding and corrections is no pulse
+    double peak = 0;
+    std::size_t stretches = 0;
+    for (std::size_t i = 0; i < times.size(); ++i)
+    {
+        peak = std::max(peak, std::abs(values[i]));
+        stretches += i > 0 && times[i] > times[i - 1] ? 1 : 0;
+    }
+    if (stretches >= fewestSamples)
+    {
+        return {};
+    }
+    for (double& value : values)
+    {
+        value = std::abs(value) < nothing * peak ? 0 : value;
+    }
+    std::vector<TablePulse> pulses;
+    bool goesOn = false; // the last of them, into the next stretch
+    for (std::size_t i = 0; i + 1 < times.size(); ++i)
+    {
+        const bool isJump = times[i + 1] == times[i];
+        if (isJump || (values[i] == 0 && values[i + 1] == 0))
+        {
+            goesOn = false;
+            continue;
+        }
+        if (!goesOn)
+        {
+            pulses.push_back({times[i], times[i]});
+        }
+        pulses.back().to = times[i + 1];
+        goesOn = values[i + 1] != 0;
+        if ((values[i] < 0) != (values[i + 1] < 0) && values[i] != 0 && goesOn)
+        {
+            const double zero =
+                times[i]
+                + (times[i + 1] - times[i]) / (1 - values[i + 1] / values[i]); // of the straight line
+            pulses.back().to = zero;
+            pulses.push_back({zero, times[i + 1]});
+        }
+    }
+    return pulses;
+}
+
+/// \param times increasing
+StepBounds boundsOfTable(const double* firstTime, const double* lastTime,
+                         const std::vector<TablePulse>& pulses, double time)
+{
+    StepBounds bounds;
+    bounds.nextChange = firstAfter(firstTime, lastTime, time);
+    for (const TablePulse& pulse : pulses)
+    {
+        if (time >= pulse.from && time < pulse.to)
+        {
+            bounds.longest = partOfWave * (pulse.to - pulse.from);
+        }
+    }
+    return bounds;
+}
+
 } // namespace
 
 StepBounds GroundAcceleration::stepBounds(double time) const
@@ -129,7 +199,8 @@ public:
         : times(std::move(instants)),
           values(std::move(accelerations)),
           outOfBounds(beyond),
-          sums(times.size(), 0.0)
+          sums(times.size(), 0.0),
+          pulses(pulsesOf(times, values))
     {
         for (std::size_t i = 1; i < times.size(); ++i)
         {
@@ -191,9 +262,7 @@ public:
 
     StepBounds stepBounds(double time) const override
     {
-        StepBounds bounds;
-        bounds.nextChange = firstAfter(times.begin(), times.end(), time);
-        return bounds;
+        return boundsOfTable(times.data(), times.data() + times.size(), pulses, time);
     }
 
     double peak() const override
@@ -211,6 +280,7 @@ private:
     std::vector<double> values;
     OutOfBounds outOfBounds;
     std::vector<double> sums; ///< integral from the first time to each
+    std::vector<TablePulse> pulses;
 
     /// The interval that holds a time, which must not be before the first nor at or after the last.
     std::size_t interval(double time) const
@@ -239,7 +309,7 @@ class SplineTable final : public GroundAcceleration
 public:
     SplineTable(const std::vector<double>& times, const std::vector<double>& values,
                 const gsl_interp_type* type, OutOfBounds beyond)
-        : spline(gsl_spline_alloc(type, times.size())), outOfBounds(beyond)
+        : spline(gsl_spline_alloc(type, times.size())), outOfBounds(beyond), pulses(pulsesOf(times, values))
     {
         gsl_spline_init(spline.get(), times.data(), values.data(), times.size());
         constexpr int parts =
@@ -291,14 +361,13 @@ public:
 
     StepBounds stepBounds(double time) const override
     {
-        StepBounds bounds;
-        bounds.nextChange = firstAfter(spline->x, spline->x + spline->size, time);
-        return bounds;
+        return boundsOfTable(spline->x, spline->x + spline->size, pulses, time);
     }
 
 private:
     std::unique_ptr<gsl_spline, FreeSpline> spline;
     OutOfBounds outOfBounds;
+    std::vector<TablePulse> pulses;
     double largest = 0;
 
     double first() const { return spline->x[0]; }

@@ -25,6 +25,10 @@ struct StepBounds
     }
 };
 
+/// A table of this many stretches of time or more is sampled: its points are those of waves that they follow.
+/// One of fewer draws pulses and ramps, of which each is followed.
+constexpr std::size_t fewestSamples = 10;
+
 /// An acceleration history, defined at every time and integrated exactly. Immutable, so that threads may
 /// share it.
 ///
@@ -49,7 +53,8 @@ public:
     virtual double peak() const = 0;
 
     /// For steps that choose their lengths: the next of the kinks after `time`, and within pulses a twentieth
-    /// of a pulse or of a wave.
+    /// of a pulse or of a wave. A table that is not sampled has pulses too: what lies between its jumps, and
+    /// times at which it is or becomes zero.
     virtual StepBounds stepBounds(double time) const;
 
     /// When the history ends, after which it is constant; infinite when it is so from the beginning [s].

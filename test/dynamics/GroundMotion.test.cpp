@@ -83,6 +83,32 @@ TEST(GroundMotion, AnEndBeforeThatOfTheMotionIsQuestionedWhereThereIsAMotion)
     EXPECT_THAT(doubts(pulse, -1, -0.6).front().text, HasSubstr("lasts until -0.5 s"));
 }
 
+TEST(GroundMotion, StepsCoarserThanAPulseOfATableAreQuestionedAsThoseOfARectangularPulse)
+{
+    const auto doubts = [](std::shared_ptr<const GroundAcceleration> history, double deltaT, bool adjust)
+    {
+        GroundMotion motion;
+        motion.components.push_back({{std::move(history), ""}, {1, 0, 0}});
+        TimeControls controls;
+        controls.endTime = 1;
+        controls.deltaT = deltaT;
+        controls.adjustTimeStep = adjust;
+        return doubtsAboutTimes(motion, controls, {});
+    };
+    const auto table = []
+    {
+        return std::shared_ptr<const GroundAcceleration>(
+            tabulatedAcceleration({0, 0.021, 0.021, 0.031, 0.031, 0.4}, {0, 0, 5, 5, 0, 0},
+                                  Interpolation::linear, OutOfBounds::zero));
+    };
+    const auto pulse = std::make_shared<RectangularPulse>(PulseShape{5, 0.01, 0.021});
+    ASSERT_EQ(doubts(pulse, 0.05, false).size(), 1u);
+    ASSERT_EQ(doubts(table(), 0.05, false).size(), 1u);
+    EXPECT_EQ(doubts(table(), 0.05, false).front().text, doubts(pulse, 0.05, false).front().text);
+    EXPECT_TRUE(doubts(table(), 0.05, true).empty());
+    EXPECT_TRUE(doubts(table(), 0.002, false).empty());
+}
+
 TEST_F(GroundMotionTest, RecordIsScaledPaddedAndMoved)
 {
     RecordMotion motion = record();

@@ -260,7 +260,7 @@ TEST(CrushingHinges, LeaveJointsThatBearAnyPressureAsTheyAre)
 TEST(LimitAnalysis, OfAFrictionlessWallIsZero)
 {
     const WeighedStructure structure = standing(paperWalls()[0].bond);
-    EXPECT_NEAR(multiplierOf(structure.program(0, structure.weightLoads())), 0, 1e-9);
+    EXPECT_EQ(multiplierOf(structure.program(0, structure.weightLoads())), 0);
 }
 
 // Nothing presses the joints: what pulls the wall is not carried at all, and what presses on it always.

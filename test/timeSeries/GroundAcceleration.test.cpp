@@ -168,6 +168,40 @@ TEST(Table, SteffenStaysWithinItsPointsAndCubicMayNot)
     EXPECT_GT(table(times, values, OutOfBounds::clamp, Interpolation::cubic)->peak(), 1.02);
 }
 
+TEST(Table, OfFewPointsAsksForStepsThatFollowItsPulses)
+{
+    const double never = std::numeric_limits<double>::infinity();
+    const auto longest = [](std::vector<double> times, std::vector<double> values, double time,
+                            Interpolation interpolation = Interpolation::linear)
+    {
+        return tabulatedAcceleration(std::move(times), std::move(values), interpolation, OutOfBounds::clamp)
+            ->stepBounds(time)
+            .longest;
+    };
+    const std::vector<double> jumps{0, 1, 1, 1.2, 1.2, 2.2, 3};
+    const std::vector<double> steps{0, 0, 5, 5, 1, 1, 0};
+    for (const auto& [time, expected] :
+         {std::pair{0.5, never}, {1, 0.01}, {1.1, 0.01}, {1.2, 0.09}, {2.5, 0.09}, {3, never}})
+    {
+        EXPECT_NEAR(std::min(longest(jumps, steps, time), 9.0), std::min(expected, 9.0), 1e-12) << time;
+    }
+    // A ramp that stands for a jump is part of its pulse, and a change of sign parts two.
+    EXPECT_NEAR(longest({0, 0.001, 2, 2.001}, {0, 3, 3, 0}, 0), 2.001 / 20, 1e-12);
+    EXPECT_NEAR(longest({0, 1, 2, 3, 4}, {0, 1, -3, 0, 2}, 1.24), 1.25 / 20, 1e-12);
+    EXPECT_NEAR(longest({0, 1, 2, 3, 4}, {0, 1, -3, 0, 2}, 1.26), 1.75 / 20, 1e-12);
+    EXPECT_NEAR(longest({0, 1, 2, 3, 4}, {0, 1, -3, 0, 2}, 3), 1.0 / 20, 1e-12);
+    EXPECT_NEAR(longest({0, 1, 2}, {0, 1, 0}, 1, Interpolation::cubic), 2.0 / 20, 1e-12);
+    EXPECT_NEAR(longest({0, 1, 1.001}, {5, -1e-9, 0}, 0.5), 1.0 / 20, 1e-12);
+    EXPECT_EQ(longest({0, 1, 1.001}, {5, -1e-9, 0}, 1), never);
+    // Samples are what the steps end at.
+    std::vector<double> times;
+    for (std::size_t i = 0; i <= fewestSamples; ++i)
+    {
+        times.push_back(static_cast<double>(i));
+    }
+    EXPECT_EQ(longest(times, std::vector<double>(times.size(), 1), 0.5), never);
+}
+
 TEST(Table, OfOnePointIsConstantWhenHeld)
 {
     EXPECT_EQ(table({1}, {3}, OutOfBounds::clamp)->at(20), 3);
