@@ -144,6 +144,32 @@ TEST(Ply, TheThreeFormsSayTheSame)
     EXPECT_NEAR(readPly(fileOf(binaryPly(std::endian::big))).rounding, 1.2e-7, 1e-8);
 }
 
+// Normals in single precision made coordinates in double precision rounded ones.
+TEST(Ply, NormalsSayNothingOfHowCoordinatesAreRounded)
+{
+    const std::string header = "element vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+                               "property float nx\nelement face 1\nproperty list uchar int vertex_indices\n"
+                               "end_header\n";
+    EXPECT_EQ(readPly(fileOf("ply\nformat ascii 1.0\n" + header
+                             + "0 0 0 0.577350\n0.1234567890123 1 0 0.577350\n0 0.5 1 0.577350\n3 0 1 2\n"))
+                  .rounding,
+              0);
+    std::string bytes = "ply\nformat binary_little_endian 1.0\n" + header;
+    for (const double x : {0., 1., 2.})
+    {
+        append(bytes, x, std::endian::little);
+        append(bytes, x * x, std::endian::little);
+        append(bytes, 0., std::endian::little);
+        append(bytes, 0.57735F, std::endian::little);
+    }
+    bytes += '\3';
+    for (const int vertex : {0, 1, 2})
+    {
+        append(bytes, vertex, std::endian::little);
+    }
+    EXPECT_EQ(readPly(fileOf(bytes)).rounding, 0);
+}
+
 TEST(Ply, CutOffAnywhereItIsRefused)
 {
     for (const std::string& bytes : {asciiPly(), binaryPly(std::endian::little)})
