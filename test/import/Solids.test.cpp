@@ -66,6 +66,9 @@ TEST(Obj, FaultsAreNamedWithTheirLine)
     EXPECT_THAT(report("v 0 0 0\nf 1 -2 1\n"), HasSubstr("vertex -2"));
     EXPECT_THAT(report("v 0 0 0\nf 1 1\n"), HasSubstr("at least 3"));
     EXPECT_THAT(report("v 0 0 1e999\n"), HasSubstr("too large"));
+    EXPECT_THAT(report("v 0 0 1" + std::string(400, '0') + "e-5\n"), HasSubstr("too large"));
+    EXPECT_EQ(report("v 0 0 1.0E-400\nv 1 0 -1e-999\nv 0 1 0." + std::string(400, '0') + "1\nf 1 2 3\n"),
+              "no error");
     EXPECT_THAT(report("v 0 0 nan\n"), HasSubstr("not a finite"));
     EXPECT_THAT(report("hello\n"), HasSubstr("There is no face"));
     const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -382,6 +385,7 @@ TEST(CompasJson, FaultsAreNamedWithTheirPath)
         AllOf(HasSubstr("A number is expected"), HasSubstr("data/graph/data/node/3/block/data/vertex/1/x")));
     const std::string face = fmt::format("\"0\": [{}", fmt::join(cube.faces[0], ", "));
     EXPECT_THAT(report(today, face, "\"0\": [0, 1, 9"), AllOf(HasSubstr("vertex 9"), HasSubstr("face/0")));
+    EXPECT_THAT(report(today, face, "\"0\": [0, 1, 2.4"), HasSubstr("vertex 2.4"));
     EXPECT_THAT(report(today, "\"3\": {\"interfaces\"", "\"4\": {\"interfaces\""),
                 HasSubstr("between 5 and 4"));
     EXPECT_THAT(report(today, "[1, 0, 1]", "[1, 0]"), HasSubstr("list of 3 numbers"));
