@@ -33,10 +33,11 @@ using FacingFaces = decltype(findAlmostJoints(std::declval<const Assembly<Dim>&>
 template<int Dim>
 struct Findings
 {
-    double size = 0;                       ///< meanBlockSize [m]
-    std::vector<BlockMass<Dim>> masses;    ///< of each block
-    std::vector<Box<Dim>> boxes;           ///< of each block
-    std::vector<std::pair<int, int>> near; ///< pairs of blocks whose boxes come within the gap limit
+    double size = 0;                    ///< meanBlockSize [m]
+    std::vector<BlockMass<Dim>> masses; ///< of each block
+    std::vector<Box<Dim>> boxes;        ///< of each block
+    std::vector<std::pair<int, int>>
+        near; ///< pairs of blocks whose boxes come within CheckLimits::jointTolerance
     std::vector<ContactPoint<Dim>> points;
     std::vector<Overlap<Dim>> overlaps; ///< of pairs
     double largestOverlap = 0;          ///< of any pair, relative to the smaller block
@@ -250,7 +251,6 @@ CheckResult checkJointSizes(const Assembly<Dim>& assembly, const Findings<Dim>& 
     return result;
 }
 
-/// Blocks that touch without a face in common.
 /// Whether joints that are stated are those of the blocks.
 CheckResult checkStatedJoints(const Assembly<3>& assembly)
 {
@@ -276,6 +276,7 @@ CheckResult checkStatedJoints(const Assembly<3>& assembly)
     return result;
 }
 
+/// Blocks that touch without a face in common.
 template<int Dim>
 CheckResult checkTouches(const Assembly<Dim>& assembly, const Findings<Dim>& findings,
                          const CheckLimits& limits)

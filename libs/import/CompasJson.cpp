@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <unordered_map>
 
 namespace drystone
@@ -335,8 +336,10 @@ private:
     int vertexNamed(const JsonValue& corner, const std::unordered_map<std::string, int>& vertexOf,
                     const Place& face) const
     {
+        const auto keyOf = [](double number)
+        { return number == std::floor(number) ? fmt::format("{:.0f}", number) : fmt::format("{}", number); };
         const std::string key = corner.asText() != nullptr     ? *corner.asText()
-                                : corner.asNumber() != nullptr ? fmt::format("{:.0f}", *corner.asNumber())
+                                : corner.asNumber() != nullptr ? keyOf(*corner.asNumber())
                                                                : "";
         const auto found = vertexOf.find(key);
         if (found == vertexOf.end())

@@ -240,9 +240,11 @@ private:
             else
             {
                 constexpr std::size_t mostNames = 100;
-                if (groups.current().code == 0 && result.others.size() < mostNames)
+                if (groups.current().code == 0)
                 {
-                    ++result.others[shown(groups.current().value)];
+                    const std::string name = shown(groups.current().value);
+                    const bool isNamed = result.others.size() < mostNames || result.others.contains(name);
+                    ++result.others[isNamed ? name : "of other names"];
                 }
                 groups.advance();
             }

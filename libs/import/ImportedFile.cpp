@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 
 namespace drystone
@@ -119,7 +120,8 @@ double numberOf(const ImportedFile& file, int line, std::string_view word)
     const std::string_view plain = word.substr(word.starts_with('+') ? 1 : 0);
     double value = 0;
     const auto [end, code] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
-    const bool isTiny = code == std::errc::result_out_of_range && plain.find("e-") != std::string_view::npos;
+    const bool isTiny = code == std::errc::result_out_of_range
+                        && std::abs(std::strtod(std::string(plain).c_str(), nullptr)) < 1; // it tells which
     if (plain.empty() || end != plain.data() + plain.size() || (code != std::errc() && !isTiny))
     {
         refuse(file, line, fmt::format("'{}' is no number, or one that is too large.", shown(word)));

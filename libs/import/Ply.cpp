@@ -80,6 +80,13 @@ struct Header
     int lines = 0;
 };
 
+/// What a value says: that of a normal or a colour nothing of how coordinates are rounded.
+enum class Meaning
+{
+    coordinate, ///< of a vertex
+    other
+};
+
 /// A source of values: words of a text, or numbers in bytes.
 class Words
 {
@@ -88,11 +95,11 @@ public:
         : file(source), lines(std::string_view(source.bytes).substr(header.end)), before(header.lines)
     {
     }
-    double take(Type type)
+    double take(Type type, Meaning meaning)
     {
         const std::string_view word = next();
         const double value = numberOf(file, line(), word);
-        if (type == Type::float32 || type == Type::float64)
+        if (meaning == Meaning::coordinate && (type == Type::float32 || type == Type::float64))
         {
             digits.add(word);
         }
@@ -130,7 +137,7 @@ public:
         : file(source), bytes(source, header.end, header.format == Format::big)
     {
     }
-    double take(Type type)
+    double take(Type type, Meaning meaning)
     {
         switch (type)
         {
@@ -147,7 +154,7 @@ public:
         case Type::uint32:
             return bytes.take<std::uint32_t>();
         case Type::float32:
-            isSingle = true;
+            isSingle = isSingle || meaning == Meaning::coordinate;
             return finite(bytes.take<float>());
         default:
             return finite(bytes.take<double>());
@@ -304,7 +311,7 @@ std::vector<int> readList(Source& source, const ImportedFile& file, const Elemen
                           const Property& property, std::size_t number)
 {
     const bool isFace = isOfVertices(element, property);
-    const double count = source.take(*property.count);
+    const double count = source.take(*property.count, Meaning::other);
     if (!(count >= 0) || count != std::floor(count) || (isFace && count < 3))
     {
         refuse(file, source.line(),
@@ -313,7 +320,7 @@ std::vector<int> readList(Source& source, const ImportedFile& file, const Elemen
     std::vector<int> face;
     for (double k = 0; k < count; ++k)
     {
-        const double index = source.take(property.type);
+        const double index = source.take(property.type, Meaning::other);
         if (!isFace)
         {
             continue;
@@ -370,8 +377,10 @@ Solids readData(const ImportedFile& file, const Header& header)
                     }
                     continue;
                 }
-                const double value = source.take(property.type);
-                if (const int axis = axisOf(property); axis >= 0)
+                const int axis = element.name == "vertex" ? axisOf(property) : -1;
+                const double value =
+                    source.take(property.type, axis >= 0 ? Meaning::coordinate : Meaning::other);
+                if (axis >= 0)
                 {
                     vertex[axis] = value;
                     largest = std::max(largest, std::abs(value));

@@ -56,14 +56,14 @@ std::string withoutNumber(std::string_view name);
 /// fault: a word that is no number, a face with a vertex that does not exist, a file that is cut off, ...
 /// @{
 
-/// Wavefront OBJ: `v`, `f`, `l` and `p` are read over; each `o`, or where there is none each `g`, is a solid,
-/// `usemtl` its zone; where there is no material at all it is the object's name without its number. A file
-/// with neither objects nor groups is parted by connectivity; one that ends with vertices for no face is
-/// refused as cut off.
+/// Wavefront OBJ: `v` and `f`; `l` and `p` are skipped, but their vertices are in use; each `o`, or where
+/// there is none each `g`, is a solid, `usemtl` its zone; where there is no material at all it is the
+/// object's name without its number. A file with neither objects nor groups is parted by connectivity; one
+/// that ends with vertices for no face is refused as cut off.
 Solids readObj(const ImportedFile& file);
 
 /// Stanford PLY, ascii and binary of either byte order: elements `vertex` (x y z) and `face` (a list
-/// vertex_indices or vertex_index); other elements and properties are read over.
+/// vertex_indices or vertex_index); other elements and properties are skipped.
 Solids readPly(const ImportedFile& file);
 
 /// STL, ascii and binary; parted by connectivity.

@@ -100,9 +100,14 @@ private:
         for (const auto& [ending, metres] : {Unit{"mm", 0.001}, Unit{"cm", 0.01}, Unit{"in", 0.0254},
                                              Unit{"m", 1}, Unit{"pt", 0.0254 / 72}, Unit{"pc", 0.0254 / 6}})
         {
-            if (text.ends_with(ending))
+            const std::string_view number =
+                trimmed(text.substr(0, text.size() - std::min(text.size(), ending.size())));
+            // `60em` and `5vmin` are no metres and inches.
+            const bool isWhole =
+                !number.empty() && std::string_view("0123456789.").find(number.back()) != number.npos;
+            if (text.ends_with(ending) && isWhole)
             {
-                return metres * numberOf(file, line, trimmed(text.substr(0, text.size() - ending.size())));
+                return metres * numberOf(file, line, number);
             }
         }
         const bool isNumber = !text.empty() && text.back() >= '0' && text.back() <= '9';
@@ -200,10 +205,10 @@ private:
                 constexpr std::size_t mostNames = 100;
                 static constexpr std::array<std::string_view, 6> silent{
                     "title", "desc", "defs", "metadata", "style", "sodipodi:namedview"};
-                if (std::find(silent.begin(), silent.end(), name) == silent.end()
-                    && others.size() < mostNames)
+                if (std::find(silent.begin(), silent.end(), name) == silent.end())
                 {
-                    ++others[shown(name)];
+                    const std::string known = shown(name);
+                    ++others[others.size() < mostNames || others.contains(known) ? known : "of other names"];
                 }
                 continue;
             }

@@ -178,6 +178,32 @@ TEST(SpaceAssemblyChecks, ABlockOnARidgeAsWideAsItselfFailsEdgeTouches)
     }
 }
 
+// The place was the middle between the blocks, in nothing.
+TEST(SpaceAssemblyChecks, EdgesThatCrossTouchWhereTheyCross)
+{
+    const std::vector<Vector<3>> end{{0, 0, 0}, {0, 1, 1}, {0, 0, 2}, {0, -1, 1}};
+    std::vector<Vector<3>> along = end;
+    for (Vector<3>& corner : along)
+    {
+        corner.x() += 10;
+    }
+    Polyhedron bar = makePrism(end, along);
+    Polyhedron across = bar;
+    for (Vector<3>& corner : bar.vertices)
+    {
+        corner.x() -= 7;
+    }
+    for (Vector<3>& corner : across.vertices)
+    {
+        corner = Vector<3>(corner.y(), 2 - corner.x(), corner.z() - 2);
+    }
+    Assembly<3> assembly;
+    assembly.blocks = {{std::move(bar)}, {std::move(across), 0}};
+    assembly.supports = {{"ground", "ground"}};
+    EXPECT_THAT(printedReport(assembly, checkAssembly(assembly, CheckExtent::all)),
+                HasSubstr("block 0 touches block 1 (support ground) at (0 0 0) without a joint"));
+}
+
 TEST(SpaceAssemblyChecks, SmallJointsAreFound)
 {
     const Assembly<3> assembly = onGround({cube, makeBox({0.9995, 0.9995, 1}, {1.9995, 1.9995, 2})});

@@ -208,6 +208,18 @@ TEST(Dxf, InsertsOnFrozenLayersAreLeftOutWithAllThatTheyInsert)
     EXPECT_EQ(ofInsert("4", "7", "outer").outlines.size(), 1u) << "only locked";
 }
 
+TEST(Dxf, EntitiesOfManyNamesAreAllCounted)
+{
+    std::string entities;
+    for (int i = 0; i < 300; ++i)
+    {
+        entities += groups({{0, fmt::format("THING{}", i % 150)}});
+    }
+    const Drawing drawing = read(section("ENTITIES", square + entities) + end);
+    EXPECT_THAT(drawing.ignored, testing::Contains("2 entities THING0"));
+    EXPECT_THAT(drawing.ignored, testing::Contains("100 entities of other names"));
+}
+
 TEST(Dxf, HiddenLayersAreLeftOut)
 {
     const std::string tables = groups(
@@ -333,6 +345,21 @@ TEST(Svg, LengthsOfRectanglesMayHaveUnits)
     EXPECT_LE((corners[2] - Vector<2>(192, -98)).norm(), 1e-12);
     EXPECT_THAT(reportOf([] { readVector("<rect width=\"50%\" height=\"1em\"/>"); }),
                 AllOf(HasSubstr("50%"), HasSubstr("line 3")));
+    EXPECT_THAT(reportOf([] { readVector("<rect width=\"60em\" height=\"1\"/>"); }), HasSubstr("'60em'"));
+    EXPECT_FALSE(readVector("<rect width=\"2\" height=\"1\"/>", "width=\"60em\" viewBox=\"0 0 1 1\"").unit);
+    EXPECT_FALSE(readVector("<rect width=\"2\" height=\"1\"/>", "width=\"60vmin\" viewBox=\"0 0 1 1\"").unit);
+}
+
+TEST(Svg, ElementsOfManyNamesAreAllCounted)
+{
+    std::string elements;
+    for (int i = 0; i < 300; ++i)
+    {
+        elements += fmt::format("<thing{}/>", i % 150);
+    }
+    const Drawing drawing = readVector(elements);
+    EXPECT_THAT(drawing.ignored, testing::Contains("2 elements thing0"));
+    EXPECT_THAT(drawing.ignored, testing::Contains("100 elements of other names"));
 }
 
 TEST(Svg, TransformsAreApplied)

@@ -47,6 +47,30 @@ std::string textOf(const StoneRaster& stones)
     return text;
 }
 
+TEST(Picture, TheStripAtTheBaseIsAsWideAsTheStonesInItAndBelow)
+{
+    Raster<std::uint8_t> picture{8, 4, std::vector<std::uint8_t>(32, 255)};
+    for (const auto& [x, y] :
+         {std::pair(0, 0), std::pair(1, 1), std::pair(5, 1), std::pair(3, 2), std::pair(6, 2)})
+    {
+        picture.at(x, y) = 0;
+    }
+    StoneSettings settings;
+    settings.leastArea = 1;
+    settings.mortar = 0;
+    settings.base = 2;
+    const std::string text = textOf(labelStones(picture, settings));
+    std::string isTaken = text;
+    for (char& stone : isTaken)
+    {
+        stone = stone >= '0' && stone <= '9' ? '#' : stone;
+    }
+    EXPECT_EQ(isTaken, "#.......\n.######.\n...####.\n........\n") << text;
+    settings.base = 1'000'000'000; // of all rows
+    EXPECT_NE(labelStones(picture, settings).labels.at(6, 0), noStone);
+    EXPECT_EQ(labelStones(picture, settings).labels.at(7, 0), noStone);
+}
+
 TEST(Picture, AHoleIsPartOfItsStone)
 {
     const StoneRaster stones = stonesOf({".####.##", ".#..#.##", ".#..#.##", ".####..."});

@@ -66,6 +66,9 @@ TEST(Obj, FaultsAreNamedWithTheirLine)
     EXPECT_THAT(report("v 0 0 0\nf 1 -2 1\n"), HasSubstr("vertex -2"));
     EXPECT_THAT(report("v 0 0 0\nf 1 1\n"), HasSubstr("at least 3"));
     EXPECT_THAT(report("v 0 0 1e999\n"), HasSubstr("too large"));
+    EXPECT_THAT(report("v 0 0 1" + std::string(400, '0') + "e-5\n"), HasSubstr("too large"));
+    EXPECT_EQ(report("v 0 0 1.0E-400\nv 1 0 -1e-999\nv 0 1 0." + std::string(400, '0') + "1\nf 1 2 3\n"),
+              "no error");
     EXPECT_THAT(report("v 0 0 nan\n"), HasSubstr("not a finite"));
     EXPECT_THAT(report("hello\n"), HasSubstr("There is no face"));
     const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -142,6 +145,32 @@ TEST(Ply, TheThreeFormsSayTheSame)
         EXPECT_EQ(solids.division, Division::byConnectivity);
     }
     EXPECT_NEAR(readPly(fileOf(binaryPly(std::endian::big))).rounding, 1.2e-7, 1e-8);
+}
+
+// Normals in single precision made coordinates in double precision rounded ones.
+TEST(Ply, NormalsSayNothingOfHowCoordinatesAreRounded)
+{
+    const std::string header = "element vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+                               "property float nx\nelement face 1\nproperty list uchar int vertex_indices\n"
+                               "end_header\n";
+    EXPECT_EQ(readPly(fileOf("ply\nformat ascii 1.0\n" + header
+                             + "0 0 0 0.577350\n0.1234567890123 1 0 0.577350\n0 0.5 1 0.577350\n3 0 1 2\n"))
+                  .rounding,
+              0);
+    std::string bytes = "ply\nformat binary_little_endian 1.0\n" + header;
+    for (const double x : {0., 1., 2.})
+    {
+        append(bytes, x, std::endian::little);
+        append(bytes, x * x, std::endian::little);
+        append(bytes, 0., std::endian::little);
+        append(bytes, 0.57735F, std::endian::little);
+    }
+    bytes += '\3';
+    for (const int vertex : {0, 1, 2})
+    {
+        append(bytes, vertex, std::endian::little);
+    }
+    EXPECT_EQ(readPly(fileOf(bytes)).rounding, 0);
 }
 
 TEST(Ply, CutOffAnywhereItIsRefused)
@@ -356,6 +385,7 @@ TEST(CompasJson, FaultsAreNamedWithTheirPath)
         AllOf(HasSubstr("A number is expected"), HasSubstr("data/graph/data/node/3/block/data/vertex/1/x")));
     const std::string face = fmt::format("\"0\": [{}", fmt::join(cube.faces[0], ", "));
     EXPECT_THAT(report(today, face, "\"0\": [0, 1, 9"), AllOf(HasSubstr("vertex 9"), HasSubstr("face/0")));
+    EXPECT_THAT(report(today, face, "\"0\": [0, 1, 2.4"), HasSubstr("vertex 2.4"));
     EXPECT_THAT(report(today, "\"3\": {\"interfaces\"", "\"4\": {\"interfaces\""),
                 HasSubstr("between 5 and 4"));
     EXPECT_THAT(report(today, "[1, 0, 1]", "[1, 0]"), HasSubstr("list of 3 numbers"));

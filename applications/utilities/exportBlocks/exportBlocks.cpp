@@ -301,7 +301,7 @@ int main(int argc, char* argv[])
         {"animation", "", "with the frames of the motion or mechanism, in gltf; export/motion.gltf"},
         {"magnification", "M", "of the displacements of -animation; 1 if absent"},
         {"decimals", "N", "of coordinates in obj, compasJson and dxf; all digits if absent"},
-        {"output", "FILE", "relative to the case; export/blocks... if absent"}};
+        {"output", "FILE", "relative to the case, unlike that of report; export/blocks... if absent"}};
     description.examples = {"exportBlocks -format gltf -animation        # a motion, for viewers and slides",
                             "exportBlocks -format gltf -time latestTime  # its end",
                             "exportBlocks -format compasJson             # for compas_assembly"};

@@ -44,7 +44,8 @@ int main(int argc, char* argv[])
     description.summary =
         "Writes report.html into the case: input with units, results with their meaning and certificate, "
         "pictures, time histories and a viewer in three dimensions, in one file that needs no other.";
-    description.options = {{"output", "FILE", "instead of report.html in the case directory"}};
+    description.options = {
+        {"output", "FILE", "instead of report.html in the case; relative to where you are"}};
     description.examples = {"report -case wall        # after limitAnalysis or contactDynamics"};
     return runApplication(argc, argv, description, run);
 }

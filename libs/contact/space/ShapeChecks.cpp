@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace drystone
@@ -91,26 +92,6 @@ double jointSize(std::span<const ContactPoint<3>> points)
     return twice.norm() / 2;
 }
 
-std::vector<Vector<3>> loneTouches(const Block<3>& one, const Block<3>& other, double tolerance)
-{
-    const auto isOn = [tolerance](const Block<3>& block)
-    {
-        return [&block, tolerance](const Vector<3>& corner)
-        { return distance(block.shape, corner) <= tolerance; };
-    };
-    const auto corner = std::find_if(one.shape.vertices.begin(), one.shape.vertices.end(), isOn(other));
-    if (corner != one.shape.vertices.end())
-    {
-        return {*corner};
-    }
-    const bool isByCorner = std::any_of(other.shape.vertices.begin(), other.shape.vertices.end(), isOn(one));
-    if (isByCorner || !touch(one, other, tolerance))
-    {
-        return {};
-    }
-    return {(volumeProperties(one.shape).centroid + volumeProperties(other.shape).centroid) / 2};
-}
-
 namespace
 {
 
@@ -139,6 +120,63 @@ std::vector<EdgeLine> edgeLinesOf(const Polyhedron& shape)
     }
     return edges;
 }
+
+/// Where edges of two blocks that touch cross: the middle between the nearest of them; nothing where none do.
+std::optional<Vector<3>> crossingOfEdges(const Polyhedron& one, const Polyhedron& other)
+{
+    std::optional<Vector<3>> place;
+    double least = 1e300;
+    const std::vector<EdgeLine> edges = edgeLinesOf(other);
+    for (const EdgeLine& edge : edgeLinesOf(one))
+    {
+        for (const EdgeLine& crossing : edges)
+        {
+            // Both differences to the nearest points of two lines are perpendicular to (edge - crossing).
+            const Vector<3> normal = edge.along.cross(crossing.along);
+            if (!(normal.norm() > 1e-9 * edge.along.norm() * crossing.along.norm()))
+            {
+                continue;
+            }
+            const double part =
+                (crossing.start - edge.start).cross(crossing.along).dot(normal) / normal.squaredNorm();
+            const double ofCrossing = crossing.nearest(edge.at(part));
+            const Vector<3> apart = crossing.at(ofCrossing) - edge.at(part);
+            if (part >= 0 && part <= 1 && ofCrossing >= 0 && ofCrossing <= 1 && apart.norm() < least)
+            {
+                least = apart.norm();
+                place = edge.at(part) + apart / 2;
+            }
+        }
+    }
+    return place;
+}
+
+} // namespace
+
+std::vector<Vector<3>> loneTouches(const Block<3>& one, const Block<3>& other, double tolerance)
+{
+    const auto isOn = [tolerance](const Block<3>& block)
+    {
+        return [&block, tolerance](const Vector<3>& corner)
+        { return distance(block.shape, corner) <= tolerance; };
+    };
+    const auto corner = std::find_if(one.shape.vertices.begin(), one.shape.vertices.end(), isOn(other));
+    if (corner != one.shape.vertices.end())
+    {
+        return {*corner};
+    }
+    const bool isByCorner = std::any_of(other.shape.vertices.begin(), other.shape.vertices.end(), isOn(one));
+    if (isByCorner || !touch(one, other, tolerance))
+    {
+        return {};
+    }
+    return {
+        crossingOfEdges(one.shape, other.shape)
+            .value_or((volumeProperties(one.shape).centroid + volumeProperties(other.shape).centroid) / 2)};
+}
+
+namespace
+{
 
 bool isOnEdge(const std::vector<EdgeLine>& edges, const Vector<3>& point, double tolerance)
 {

@@ -19,13 +19,19 @@ namespace
 
 constexpr std::size_t mostStones = 100'000;
 
-/// Index of the first outline that is no block, or whose area has become another by more than half; -1 if
-/// none.
+/// What is wrong with an outline, as a part of a sentence; empty: nothing.
+std::string faultOf(const Polygon& outline)
+{
+    const std::string fault = outlineFault(outline);
+    return fault.empty() && areaProperties(outline).area <= 0 ? "is turned inside out" : fault;
+}
+
+/// Index of the first outline that is no block; -1 if none.
 int firstFault(const std::vector<Polygon>& outlines)
 {
     for (std::size_t i = 0; i < outlines.size(); ++i)
     {
-        if (!outlineFault(outlines[i]).empty() || areaProperties(outlines[i]).area <= 0)
+        if (!faultOf(outlines[i]).empty())
         {
             return static_cast<int>(i);
         }
@@ -137,7 +143,7 @@ std::vector<Polygon> soundOutlines(const StoneRaster& stones, double& tolerance,
     {
         refuse(file, 0,
                fmt::format("The outline of stone {} {}: smooth the picture, or raise `leastArea`.", stone,
-                           outlineFault(outlines[static_cast<std::size_t>(stone)])));
+                           faultOf(outlines[static_cast<std::size_t>(stone)])));
     }
     return outlines;
 }

@@ -180,19 +180,17 @@ Raster<std::uint8_t> roomOf(const Raster<int>& labels, const StoneSettings& sett
                 room.at(x, y) = isClosed || labels.at(x, y) != noStone ? 1 : 0;
                 lowest = labels.at(x, y) != noStone ? y : lowest;
             });
-    for (int y = std::max(0, lowest - settings.base + 1); settings.base > 0 && y <= lowest; ++y)
+    // From the lowest row upwards: a row of the strip is as wide as the stones in it and below.
+    int left = labels.width;
+    int right = -1;
+    for (int y = lowest; y >= 0 && y > lowest - settings.base; --y)
     {
-        int left = labels.width;
-        int right = -1;
-        for (int below = y; below <= lowest; ++below)
+        for (int x = 0; x < labels.width; ++x)
         {
-            for (int x = 0; x < labels.width; ++x)
+            if (labels.at(x, y) != noStone)
             {
-                if (labels.at(x, below) != noStone)
-                {
-                    left = std::min(left, x);
-                    right = std::max(right, x);
-                }
+                left = std::min(left, x);
+                right = std::max(right, x);
             }
         }
         for (int x = left; x <= right; ++x)
