@@ -304,11 +304,12 @@ Certificate certifyUnbounded(const ConeProgram<Rows, Forces>& program, const Eig
     // Along the ray the objective gains 1 - g'c for each unit of the multiplier, and loses c'Cc/2 of its
     // square.
     const double gain = 1 - (program.gap.size() > 0 ? program.gap.dot(forceRay) : 0);
-    certificate.primalResidual /= std::min(gain, 1.0);
     if (!(gain > 0) || (program.hasCompliance() && !forceRay.isZero(0)))
     {
         certificate.gap = infinite;
+        return certificate;
     }
+    certificate.primalResidual /= std::min(gain, 1.0);
     return certificate;
 }
 

@@ -114,14 +114,17 @@ struct TriedPart
 
 /// How long the next attempt at a part is. When blocks meet depends on the length of the part that it is
 /// measured in; where two attempts show how, the next one is as long as it takes to meet at its end (the
-/// secant method), less a little, so that they do not: what is left then counts as having met. \param before
-/// of another attempt from the same start \param tolerance see ImpactChoice
-double nextLength(const TriedPart& last, const std::optional<TriedPart>& before, double tolerance)
+/// secant method), less a little, so that they do not: what is left then counts as having met. With theta
+/// below 1 it would be closed without a loss, which gains energy. \param before of another attempt from the
+/// same start; or none \param tolerance see ImpactChoice
+double nextLength(const TriedPart& last, const std::optional<TriedPart>& before, double theta,
+                  double tolerance)
 {
     constexpr double steepest = 0.7; // beyond, what is measured is no smooth function of the length
     constexpr double partOfChange = 0.1;
     constexpr double partOfTolerance = 0.25;
-    const double slope = before ? (last.meets - before->meets) / (last.length - before->length) : 0;
+    const double slope =
+        before && theta == 1 ? (last.meets - before->meets) / (last.length - before->length) : 0;
     if (!(slope > 0 && slope < steepest))
     {
         return last.meets;
@@ -188,7 +191,9 @@ bool takeParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeSt
             left = length == left ? 0 : left - length;
             // What the first attempt knew of more than what is left tells more of it than a shorter part
             // does.
-            attemptForces = {.start = left > length ? std::move(attemptForces.meeting) : PointForces<Dim>()};
+            PointForces<Dim> forces = left > length ? std::move(attemptForces.meeting) : PointForces<Dim>();
+            attemptForces = {};
+            attemptForces.start = std::move(forces);
             tried.reset();
             length = left;
             continue;
@@ -200,7 +205,8 @@ bool takeParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeSt
         attemptForces.start = std::move(attemptForces.apart);
         const TriedPart last{length, part * length};
         // What is left of the step is not shorter than what counts as its start.
-        length = std::min(nextLength(last, tried, impacts.tolerance), left - tolerance * timeStep);
+        length = std::min(nextLength(last, tried, scene.schemes.timeIntegration.theta, impacts.tolerance),
+                          left - tolerance * timeStep);
         tried = last;
         if (length <= 0)
         {

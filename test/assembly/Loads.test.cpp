@@ -91,7 +91,9 @@ void expectForceStaysAtItsPoint(const Assembly<Dim>& assembly, const Vector<Dim>
 
 TEST(Loads, ForcesStayAtTheirPointsOfBlocksThatTurn)
 {
-    expectForceStaysAtItsPoint<2>({{rectangle(0, 0, 1, 2)}, {}}, {1, 2}, {{0.3, 0.1}, 0.7});
+    Assembly<2> rectangleAlone;
+    rectangleAlone.blocks.push_back({rectangle(0, 0, 1, 2)});
+    expectForceStaysAtItsPoint<2>(rectangleAlone, {1, 2}, {{0.3, 0.1}, 0.7});
     Assembly<3> box;
     box.blocks.resize(1);
     box.blocks[0].shape = makeBox({0, 0, 0}, {1, 0.5, 2});

@@ -63,7 +63,7 @@ TEST(MotionLoads, OfSpaceMoveABlockAsThoseOfThePlane)
         ASSERT_TRUE(advance(scene, motion, 1e-3));
         ASSERT_LT(scenes::relativeImbalance(motion.energy), 1e-12);
     }
-    const double angle = angleUnderForce(500 / scene.mass[4], 1);
+    const double angle = angleUnderForce(500 / scene.mass.tail<3>().maxCoeff(), 1);
     EXPECT_NEAR(motion.state.placements[0].rotation.y(), -angle, 1e-6 * angle);
     EXPECT_LT(std::abs(motion.energy.algorithmicLoss), 1e-6 * motion.energy.kinetic);
     EXPECT_EQ(motion.energy.externalWork, 0);
