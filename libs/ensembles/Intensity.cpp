@@ -51,14 +51,6 @@ void declare(Options& options, EqualStepsSettings& settings)
     options.required("from", settings.from, "the lowest intensity").above(0).example("0.3");
     options.required("to", settings.to, "the highest one").above(0).example("0.4");
     options.required("step", settings.step, "between them").above(0).example("0.001");
-    options.check("to",
-                  [&settings]
-                  {
-                      return settings.to > settings.from
-                                 ? ""
-                                 : fmt::format("to {:g} is not above from {:g}: the range is empty.",
-                                               settings.to, settings.from);
-                  });
     options.check("step", [&settings]
                   { return faultOfRange(settings.from, settings.to, settings.step, "from, to and step"); });
 }
@@ -104,17 +96,6 @@ void declare(Options& options, BisectionSettings& settings)
                   "width of the bracket at the end: only multiples of it above low are tried")
         .above(0)
         .example("0.001");
-    options.check("high",
-                  [&settings]
-                  {
-                      return settings.high > settings.low
-                                 ? ""
-                                 : fmt::format(
-                                     "low {:g} is not below high {:g}: nothing lies between them.\n\n"
-                                     "Give as low an intensity that does not meet the criterion, and "
-                                     "as high a larger one that does.",
-                                     settings.low, settings.high);
-                  });
     options.check(
         "tolerance",
         [&settings]
