@@ -60,12 +60,7 @@ void requirePushover(const LimitAnalysisCase<Dim>& structure)
                            "change the live load and `multiplier` of constant/loads.",
                            place);
     }
-    double liveForces = 0;
-    for (Eigen::Index row = 0; row < loads.live.size(); row += freedomCount<Dim>)
-    {
-        liveForces += loads.live.template segment<Dim>(row).norm();
-    }
-    if (liveForces == 0)
+    if (liveForceOf<Dim>(loads) == 0)
     {
         throw FatalIOError(
             "pushover measures displacements in the direction of the live load, which has moments "

@@ -120,7 +120,7 @@ private:
     std::vector<BlockMass<Dim>> masses;
     std::vector<int> free;
     std::vector<double> radius; ///< of each block, about its mass centre [m]
-    double liveForce = 0;       ///< sum over the blocks [N]
+    double liveForce;           ///< see liveForceOf
     double margin;              ///< gaps up to this are contacts to come [m]
     PushoverContacts<Dim> contacts;
 
@@ -145,6 +145,7 @@ PushoverPath<Dim>::PushoverPath(const PushoverScene<Dim>& structure, const Pusho
       masses(blockMasses(scene.assembly)),
       free(freeIndices(scene.assembly)),
       radius(masses.size(), 0),
+      liveForce(liveForceOf<Dim>(scene.loads)),
       margin(farthestContact * meanBlockSize(scene.assembly)),
       contacts(scene.assembly),
       placements(scene.assembly.blocks.size())
@@ -155,10 +156,6 @@ PushoverPath<Dim>::PushoverPath(const PushoverScene<Dim>& structure, const Pusho
         {
             radius[block] = std::max(radius[block], (corner - masses[block].centroid).norm());
         }
-    }
-    for (Eigen::Index row = 0; row < scene.loads.live.size(); row += freedomCount<Dim>)
-    {
-        liveForce += scene.loads.live.template segment<Dim>(row).norm();
     }
     program.bodies = static_cast<int>(scene.loads.dead.size() / freedomCount<Dim>);
     work = settings.step * liveForce;
@@ -338,12 +335,25 @@ void declare(Options& options, PushoverSettings& settings)
 }
 
 template<int Dim>
+double liveForceOf(const LoadVectors& loads)
+{
+    double force = 0;
+    for (Eigen::Index row = 0; row < loads.live.size(); row += freedomCount<Dim>)
+    {
+        force += loads.live.segment<Dim>(row).norm();
+    }
+    return force;
+}
+
+template<int Dim>
 Pushover solvePushover(const PushoverScene<Dim>& scene, const PushoverSettings& settings,
                        const InteriorPointSettings& solver, const PushoverObserver<Dim>& observe)
 {
     return PushoverPath<Dim>(scene, settings, solver, observe).follow();
 }
 
+template double liveForceOf<2>(const LoadVectors& loads);
+template double liveForceOf<3>(const LoadVectors& loads);
 template Pushover solvePushover(const PushoverScene<2>& scene, const PushoverSettings& settings,
                                 const InteriorPointSettings& solver, const PushoverObserver<2>& observe);
 template Pushover solvePushover(const PushoverScene<3>& scene, const PushoverSettings& settings,

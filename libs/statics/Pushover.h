@@ -59,6 +59,11 @@ struct PushoverScene
     LoadVectors loads;
 };
 
+/// What displacements of a capacity curve are measured by: the sizes of the live load's forces on the blocks,
+/// added up [N].
+template<int Dim>
+double liveForceOf(const LoadVectors& loads);
+
 /// Called for each position with the placements of all blocks.
 template<int Dim>
 using PushoverObserver = std::function<void(const CapacityPoint&, const std::vector<Placement<Dim>>&)>;
