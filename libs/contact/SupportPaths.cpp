@@ -41,36 +41,6 @@ std::string cornersAreNoJoint()
                     : "along an edge or at a corner only: a joint needs two faces that lie on each other";
 }
 
-/// `block 4 touches block 2`: the first pair without a joint of which one stands on the other on its corner
-/// or edge, which bears nothing; or nothing.
-template<int Dim>
-std::string bearingCorner(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points)
-{
-    const double tolerance = CheckLimits{}.jointTolerance * meanBlockSize(assembly);
-    std::set<std::pair<int, int>> jointed;
-    for (const ContactPoint<Dim>& point : points)
-    {
-        jointed.emplace(point.block, point.neighbour);
-    }
-    for (const auto& [first, second] : findMeetingPairs(boxesOf(assembly, tolerance)))
-    {
-        const Block<Dim>& one = assembly.blocks[first];
-        const Block<Dim>& other = assembly.blocks[second];
-        const bool bothFixed = one.support >= 0 && other.support >= 0;
-        if (bothFixed || jointed.contains({first, second}) || meetAtEdges(one, other, tolerance))
-        {
-            continue;
-        }
-        const bool isOn = !loneTouches(one, other, tolerance).empty();
-        if (isOn || !loneTouches(other, one, tolerance).empty())
-        {
-            return fmt::format("{} touches {}", blockName(assembly, isOn ? first : second),
-                               blockName(assembly, isOn ? second : first));
-        }
-    }
-    return {};
-}
-
 /// `block 4 block 2 (support ground)`: the first pair, of a block that nothing holds and one that it touches,
 /// or nothing.
 template<int Dim>
@@ -136,6 +106,34 @@ std::vector<int> blocksWithoutSupport(const Assembly<Dim>& assembly,
 }
 
 template<int Dim>
+std::string touchWithoutJoint(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points)
+{
+    const double tolerance = CheckLimits{}.jointTolerance * meanBlockSize(assembly);
+    std::set<std::pair<int, int>> jointed;
+    for (const ContactPoint<Dim>& point : points)
+    {
+        jointed.emplace(point.block, point.neighbour);
+    }
+    for (const auto& [first, second] : findMeetingPairs(boxesOf(assembly, tolerance)))
+    {
+        const Block<Dim>& one = assembly.blocks[first];
+        const Block<Dim>& other = assembly.blocks[second];
+        const bool bothFixed = one.support >= 0 && other.support >= 0;
+        if (bothFixed || jointed.contains({first, second}) || meetAtEdges(one, other, tolerance))
+        {
+            continue;
+        }
+        const bool isOn = !loneTouches(one, other, tolerance).empty();
+        if (isOn || !loneTouches(other, one, tolerance).empty())
+        {
+            return fmt::format("{} touches {} {}", blockName(assembly, isOn ? first : second),
+                               blockName(assembly, isOn ? second : first), cornersAreNoJoint<Dim>());
+        }
+    }
+    return {};
+}
+
+template<int Dim>
 std::string instabilityCause(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points)
 {
     if (std::all_of(assembly.blocks.begin(), assembly.blocks.end(),
@@ -147,12 +145,12 @@ std::string instabilityCause(const Assembly<Dim>& assembly, const std::vector<Co
     const std::vector<int> loose = blocksWithoutSupport(assembly, points);
     if (loose.empty())
     {
-        const std::string touching = bearingCorner(assembly, points);
+        const std::string touching = touchWithoutJoint(assembly, points);
         return touching.empty()
                    ? ""
-                   : fmt::format("Possible cause: no force acts where {} {}; `checkBlocks -allChecks` "
+                   : fmt::format("Possible cause: no force acts where {}; `checkBlocks -allChecks` "
                                  "lists such places.",
-                                 touching, cornersAreNoJoint<Dim>());
+                                 touching);
     }
     const std::size_t shown = std::min(shownBlocks, loose.size());
     std::string text =
@@ -172,6 +170,10 @@ template std::vector<int> blocksWithoutSupport(const Assembly<2>& assembly,
                                                const std::vector<ContactPoint<2>>& points);
 template std::vector<int> blocksWithoutSupport(const Assembly<3>& assembly,
                                                const std::vector<ContactPoint<3>>& points);
+template std::string touchWithoutJoint(const Assembly<2>& assembly,
+                                       const std::vector<ContactPoint<2>>& points);
+template std::string touchWithoutJoint(const Assembly<3>& assembly,
+                                       const std::vector<ContactPoint<3>>& points);
 template std::string instabilityCause(const Assembly<2>& assembly,
                                       const std::vector<ContactPoint<2>>& points);
 template std::string instabilityCause(const Assembly<3>& assembly,

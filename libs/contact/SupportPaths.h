@@ -15,6 +15,13 @@ template<int Dim>
 std::vector<int> blocksWithoutSupport(const Assembly<Dim>& assembly,
                                       const std::vector<ContactPoint<Dim>>& points);
 
+/// `block 4 touches block 2 at a corner only: a joint needs ...`: the first pair without a joint of which one
+/// stands on a face of the other on its corner or edge, where no force acts as built; or nothing. Bricks of a
+/// bond, which meet those diagonally above them at edges, do not count. Takes time of order n log n in the
+/// number of blocks.
+template<int Dim>
+std::string touchWithoutJoint(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points);
+
 /// What is known, from the joints alone, of why a structure cannot stand: no block is fixed, or some have no
 /// path to a support through joints, those among them named that touch others at corners only, or all have
 /// one and some stand on others on a corner or an edge too. Lines for the log, each with the repair; empty

@@ -2,6 +2,7 @@
 /// Computes the advice of `-dry-run` by limit analyses of the scene, and words it.
 #include "functionObjects/EffectAdvice.h"
 
+#include "contact/SupportPaths.h"
 #include "effects/GroundMotion.h"
 #include "quantities/LimitAnalysisFigures.h"
 #include "statics/LimitAnalysis.h"
@@ -75,7 +76,8 @@ bool isAtRest(const DynamicState<2>& state)
            && std::none_of(state.placements.begin(), state.placements.end(), isMoved);
 }
 
-std::string reasonAgainst(const DynamicCase<2>& scene, const DynamicState<2>& start, std::size_t points)
+std::string reasonAgainst(const DynamicCase<2>& scene, const DynamicState<2>& start,
+                          const std::vector<ContactPoint<2>>& points)
 {
     if (!isAtRest(start))
     {
@@ -95,13 +97,17 @@ std::string reasonAgainst(const DynamicCase<2>& scene, const DynamicState<2>& st
         return "joints have cohesion, tension or friction of their own, which the criteria do not include; "
                "limitAnalysis does";
     }
-    if (points > mostPoints)
+    if (points.size() > mostPoints)
     {
         return fmt::format("more than {} contact points", mostPoints);
     }
     if (groundMotionOf(scene.effects).components.size() > 4)
     {
         return "the ground moves along more than four directions";
+    }
+    if (const std::string touching = touchWithoutJoint(scene.assembly, points); !touching.empty())
+    {
+        return fmt::format("they know joints only, and {}", touching);
     }
     return "";
 }
@@ -121,7 +127,7 @@ EffectAdvice adviseEffects(const DynamicCase<2>& scene, const DynamicState<2>& s
 {
     EffectAdvice advice;
     const std::vector<ContactPoint<2>> points = findContactPoints(scene.assembly);
-    advice.reason = reasonAgainst(scene, start, points.size());
+    advice.reason = reasonAgainst(scene, start, points);
     advice.isAssessed = advice.reason.empty();
     if (!advice.isAssessed)
     {

@@ -116,6 +116,7 @@ void printWholeJoints(const LimitAnalysisCase<2>&, const LimitAnalysis&) {}
 void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis& result)
 {
     constexpr double worthSaying = 1e-5;
+    constexpr double worthWarning = 0.02;
     if (structure.movement || result.coulomb)
     {
         return;
@@ -150,11 +151,13 @@ void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis
     }
     if (less > worthSaying * std::abs(result.alpha))
     {
-        info("Over the whole faces of its joints this mechanism has alpha <= {:.6g}, {:.2g}% less: strengths "
-             "act at contact points. With `jointPoints {{ type adaptive; tolerance 1e-4; }}` or a finer grid "
-             "both come nearer to the exact multiplier.",
-             result.alpha - std::copysign(less, live.dot(result.mechanism)),
-             100 * less / std::abs(result.alpha));
+        const std::string bound = fmt::format(
+            "Over the whole faces of its joints this mechanism has alpha <= {:.6g}, {:.2g}% less: strengths "
+            "act at contact points. With `jointPoints {{ type adaptive; tolerance 1e-4; }}` or a finer grid "
+            "both come nearer to the exact multiplier.",
+            result.alpha - std::copysign(less, live.dot(result.mechanism)),
+            100 * less / std::abs(result.alpha));
+        less > worthWarning * std::abs(result.alpha) ? printWarning(bound) : printLine(bound);
     }
 }
 
@@ -244,6 +247,13 @@ void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
         printLine(sentence);
     }
     printClosure(structure.assembly);
+    if (const std::string touching = touchWithoutJoint(structure.assembly, structure.points);
+        !touching.empty())
+    {
+        printWarning(fmt::format("Limit analysis has no force where {}. In motion it would press there; "
+                                 "`checkBlocks -allChecks` lists such places.",
+                                 touching));
+    }
     info("Solver: {}, tolerance {:g}", nameOf(structure.solution.solver), structure.solution.tolerance);
     info("{}\n", machineText());
 }
@@ -301,7 +311,12 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
             printCoulombRange(*result.coulomb, result);
         }
         info("Status: {}", statusText(structure, result));
-        if (result.status == CollapseStatus::unstable)
+        if (result.held)
+        {
+            info("The live load holds the blocks up: they stand for alpha from {} to {}",
+                 alphaText(result.held->least), alphaText(result.held->largest));
+        }
+        else if (result.status == CollapseStatus::unstable)
         {
             if (const std::string cause = instabilityCause(structure.assembly, structure.points);
                 !cause.empty())

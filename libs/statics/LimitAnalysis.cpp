@@ -136,6 +136,27 @@ LimitAnalysis completedAnalysis(const ConeProgram<Rows, Forces>& program, const 
     return result;
 }
 
+template<int Rows, int Forces>
+std::optional<MultiplierRange> multipliersThatHold(const ConeProgram<Rows, Forces>& program,
+                                                   const InteriorPointSettings& settings,
+                                                   SymbolicAnalysis& kept)
+{
+    ConeProgram<Rows, Forces> directed = program;
+    const auto farthest = [&]() -> std::optional<double>
+    {
+        const ConeSolution solution = solveInteriorPoint(directed, settings, &kept);
+        if (solution.status == SolveStatus::unbounded)
+        {
+            return std::numeric_limits<double>::infinity();
+        }
+        return solution.status == SolveStatus::optimal ? std::optional(solution.multiplier) : std::nullopt;
+    };
+    const std::optional<double> largest = farthest();
+    directed.liveLoad *= -1;
+    const std::optional<double> least = largest ? farthest() : std::nullopt;
+    return least ? std::optional(MultiplierRange{-*least, *largest}) : std::nullopt;
+}
+
 template PlaneConeProgram limitAnalysisProgram(int freeBlocks, const std::vector<ContactColumns<2>>& columns,
                                                const std::vector<double>& friction, const LoadVectors& loads);
 template SpaceConeProgram limitAnalysisProgram(int freeBlocks, const std::vector<ContactColumns<3>>& columns,
@@ -144,6 +165,12 @@ template LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program,
                                           const InteriorPointSettings& settings, SymbolicAnalysis* kept);
 template LimitAnalysis solveLimitAnalysis(const SpaceConeProgram& program,
                                           const InteriorPointSettings& settings, SymbolicAnalysis* kept);
+template std::optional<MultiplierRange> multipliersThatHold(const PlaneConeProgram& program,
+                                                           const InteriorPointSettings& settings,
+                                                           SymbolicAnalysis& kept);
+template std::optional<MultiplierRange> multipliersThatHold(const SpaceConeProgram& program,
+                                                           const InteriorPointSettings& settings,
+                                                           SymbolicAnalysis& kept);
 template LimitAnalysis completedAnalysis(const PlaneConeProgram& program, const ConeSolution& solution,
                                          const InteriorPointSettings& settings, SymbolicAnalysis& kept);
 template LimitAnalysis completedAnalysis(const SpaceConeProgram& program, const ConeSolution& solution,

@@ -54,6 +54,13 @@ struct CoulombRange
     int converged = 0; ///< that led to a collapse within the tolerance
 };
 
+/// Multipliers that a structure carries; the ends may be infinite.
+struct MultiplierRange
+{
+    double least = 0;
+    double largest = 0;
+};
+
 struct LimitAnalysis
 {
     CollapseStatus status = CollapseStatus::notConverged;
@@ -70,6 +77,9 @@ struct LimitAnalysis
     int variables = 0;            ///< forces and the multiplier
     /// Of each free block, where those that were not provably stay at rest (ReachedPart.h); empty: all were.
     std::vector<char> isSimulated;
+    /// For `unstable`, where the live load holds the structure up: the multipliers with which it stands by the
+    /// associative law, all of one sign.
+    std::optional<MultiplierRange> held;
     std::string combination; ///< of loads that this is the answer for; empty where there is one only
     int position = -1;       ///< of a moving load, index into CaseLoads::positions; -1: it does not move
     std::optional<CoulombRange>
@@ -98,5 +108,12 @@ template<int Rows, int Forces>
 LimitAnalysis solveLimitAnalysis(const ConeProgram<Rows, Forces>& program,
                                  const InteriorPointSettings& settings = {},
                                  SymbolicAnalysis* kept = nullptr);
+
+/// The multipliers with which a structure stands that may be `unstable` without its live load: both ends of
+/// the interval, by one program each. \return nothing where it stands with none, or the solver has no answer
+template<int Rows, int Forces>
+std::optional<MultiplierRange> multipliersThatHold(const ConeProgram<Rows, Forces>& program,
+                                                   const InteriorPointSettings& settings,
+                                                   SymbolicAnalysis& kept);
 
 } // namespace drystone

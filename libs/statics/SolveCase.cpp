@@ -98,7 +98,12 @@ LimitAnalysis solveByAssociativeLaw(const LimitAnalysisCase<Dim>& structure, Kep
             return std::move(*answer);
         }
     }
-    return solveLimitAnalysis(structure.program, solver, &kept.symbolic);
+    LimitAnalysis result = solveLimitAnalysis(structure.program, solver, &kept.symbolic);
+    if (result.status == CollapseStatus::unstable)
+    {
+        result.held = multipliersThatHold(structure.program, solver, kept.symbolic);
+    }
+    return result;
 }
 
 template<int Dim>
@@ -186,6 +191,10 @@ std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& stru
         reversed.loads.live *= -1;
         results.push_back(solveWithPoints(reversed, kept));
         results.back().alpha *= -1;
+        if (const std::optional<MultiplierRange> held = results.back().held)
+        {
+            results.back().held = {-held->largest, -held->least};
+        }
     }
     return results;
 }

@@ -4,6 +4,7 @@
 #include "Structures.h"
 #include "conic/Certificate.h"
 #include "conic/UpperBounds.h"
+#include "conic/form/Form.h"
 #include "contact/PointAreas.h"
 #include "core/Threads.h"
 #include "statics/CrushingHinges.h"
@@ -13,6 +14,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 using namespace drystone;
 
@@ -378,9 +380,31 @@ TEST(LimitAnalysis, SaysWhenTheDeadLoadCannotBeCarriedThoughALiveLoadWouldHoldIt
     LoadVectors loads = structure.weightLoads();
     loads.dead += 0.7 * loads.live;
     loads.live *= -1;
-    const LimitAnalysis result = solveLimitAnalysis(structure.program(0.65, loads));
+    const PlaneConeProgram program = structure.program(0.65, loads);
+    const LimitAnalysis result = solveLimitAnalysis(program);
     EXPECT_EQ(result.status, CollapseStatus::unstable);
     expectCertified(result);
+
+    // What it holds up for follows from the multipliers to either side of the wall as it is.
+    LoadVectors reversed = structure.weightLoads();
+    const double forward = multiplierOf(structure.program(0.65, reversed));
+    reversed.live *= -1;
+    const double backward = multiplierOf(structure.program(0.65, reversed));
+    SymbolicAnalysis kept;
+    const std::optional<MultiplierRange> held = multipliersThatHold(program, {}, kept);
+    ASSERT_TRUE(held);
+    EXPECT_NEAR(held->least, 0.7 - forward, 1e-7);
+    EXPECT_NEAR(held->largest, 0.7 + backward, 1e-7);
+}
+
+TEST(LimitAnalysis, SaysThatNoLiveLoadHoldsABlockUpThatHasNoJoint)
+{
+    Assembly<2> assembly;
+    assembly.supports = {{"table", "blocks"}};
+    assembly.blocks = {rectangle(0, -1, 1, 0, 0), rectangle(0, 0, 1, 1), rectangle(0, 2, 1, 3)};
+    const WeighedStructure structure(std::move(assembly));
+    SymbolicAnalysis kept;
+    EXPECT_FALSE(multipliersThatHold(structure.program(0.65, structure.weightLoads()), {}, kept));
 }
 
 namespace
