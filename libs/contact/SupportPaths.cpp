@@ -5,12 +5,12 @@
 #include "assembly/BlockShape.h"
 #include "contact/AlmostJoints.h"
 #include "contact/ShapeChecks.h"
+#include "core/DisjointSets.h"
 #include "geometry/BroadPhase.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -70,36 +70,26 @@ template<int Dim>
 std::vector<int> blocksWithoutSupport(const Assembly<Dim>& assembly,
                                       const std::vector<ContactPoint<Dim>>& points)
 {
-    // Groups of blocks that joints hold together, as trees of parents; fixed blocks are one group.
-    std::vector<int> parent(assembly.blocks.size() + 1);
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](int i)
-    {
-        while (parent[i] != i)
-        {
-            parent[i] = parent[parent[i]];
-            i = parent[i];
-        }
-        return i;
-    };
+    // Groups of blocks that joints hold together; fixed blocks are one group.
     const int fixed = static_cast<int>(assembly.blocks.size());
-    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
+    DisjointSets together(assembly.blocks.size() + 1);
+    for (int block = 0; block < fixed; ++block)
     {
-        if (assembly.blocks[i].support >= 0)
+        if (assembly.blocks[block].support >= 0)
         {
-            parent[root(static_cast<int>(i))] = root(fixed);
+            together.join(block, fixed);
         }
     }
     for (const ContactPoint<Dim>& point : points)
     {
-        parent[root(point.block)] = root(point.neighbour);
+        together.join(point.block, point.neighbour);
     }
     std::vector<int> loose;
-    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
+    for (int block = 0; block < fixed; ++block)
     {
-        if (root(static_cast<int>(i)) != root(fixed))
+        if (together.firstOf(block) != together.firstOf(fixed))
         {
-            loose.push_back(static_cast<int>(i));
+            loose.push_back(block);
         }
     }
     return loose;

@@ -2,13 +2,13 @@
 /// Unites edges that face each other into lines; lines and corners are fitted in turn by least squares.
 #include "contact/plane/FaceLines.h"
 
+#include "core/DisjointSets.h"
 #include "geometry/BroadPhase.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace drystone
 {
@@ -17,27 +17,6 @@ namespace
 
 /// Where three lines and more meet at a corner, lines and corners are fitted to each other in turn.
 constexpr int mostRounds = 100;
-
-/// Groups of things that belong together.
-class Groups
-{
-public:
-    explicit Groups(std::size_t count) : parent(count) { std::iota(parent.begin(), parent.end(), 0); }
-
-    int of(int thing)
-    {
-        while (parent[thing] != thing)
-        {
-            parent[thing] = parent[parent[thing]];
-            thing = parent[thing];
-        }
-        return thing;
-    }
-    void unite(int one, int other) { parent[of(one)] = of(other); }
-
-private:
-    std::vector<int> parent;
-};
 
 /// A straight line: the places x with normal (x - point) = 0.
 struct Line
@@ -147,18 +126,18 @@ CornerNodes findCornerNodes(const Assembly<2>& assembly, double reach)
         }
         nodes.first.push_back(corners.size());
     }
-    Groups groups(corners.size());
+    DisjointSets groups(corners.size());
     for (const auto& [one, other] : findMeetingPairs(boxes))
     {
         if (owner[one] != owner[other] && (corners[one] - corners[other]).norm() <= reach)
         {
-            groups.unite(one, other);
+            groups.join(one, other);
         }
     }
     std::vector<std::vector<int>> members(corners.size());
     for (std::size_t corner = 0; corner < corners.size(); ++corner)
     {
-        members[groups.of(static_cast<int>(corner))].push_back(static_cast<int>(corner));
+        members[groups.firstOf(static_cast<int>(corner))].push_back(static_cast<int>(corner));
     }
     nodes.ofCorner.resize(corners.size());
     for (const std::vector<int>& group : members)
@@ -193,11 +172,11 @@ FaceLines findFaceLines(const Assembly<2>& assembly, const CornerNodes& nodes,
                         const std::vector<OutlineEdge>& edges, const std::vector<FacingPiece>& pieces,
                         double straight)
 {
-    Groups groups(edges.size());
+    DisjointSets groups(edges.size());
     std::vector<char> isFace(edges.size(), false);
     for (const FacingPiece& piece : pieces)
     {
-        groups.unite(piece.edge, piece.neighbourEdge);
+        groups.join(piece.edge, piece.neighbourEdge);
         isFace[piece.edge] = isFace[piece.neighbourEdge] = true;
     }
     std::vector<std::vector<int>> facesAt(nodes.place.size());
@@ -223,7 +202,7 @@ FaceLines findFaceLines(const Assembly<2>& assembly, const CornerNodes& nodes,
                 const Vector<2> b = edges[faces[j]].to - edges[faces[j]].from;
                 if (std::abs(cross(a, b)) <= straight * std::max(a.norm(), b.norm()))
                 {
-                    groups.unite(faces[i], faces[j]);
+                    groups.join(faces[i], faces[j]);
                 }
             }
         }
@@ -236,7 +215,7 @@ FaceLines findFaceLines(const Assembly<2>& assembly, const CornerNodes& nodes,
         {
             visitCorners(assembly, nodes, edges[edge],
                          [&](int node)
-                         { result.nodesOf[groups.of(static_cast<int>(edge))].push_back(node); });
+                         { result.nodesOf[groups.firstOf(static_cast<int>(edge))].push_back(node); });
         }
     }
     result.linesAt.resize(nodes.place.size());

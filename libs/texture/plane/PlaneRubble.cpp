@@ -2,6 +2,7 @@
 /// Makes the blocks of the texture `rubble` of the plane from its settings.
 #include "texture/plane/PlaneRubble.h"
 
+#include "core/DisjointSets.h"
 #include "geometry/BroadPhase.h"
 #include "texture/Voronoi.h"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace drystone
 {
@@ -63,20 +63,10 @@ void mergeShortEdges(std::vector<Polygon>& cells, const Vector<2>& size, double 
             boxes.push_back(enlarged(BoundingBox{corner, corner}, same / 2));
         }
     }
-    std::vector<int> parent(corners.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto rootOf = [&parent](int i)
-    {
-        while (parent[i] != i)
-        {
-            parent[i] = parent[parent[i]];
-            i = parent[i];
-        }
-        return i;
-    };
+    DisjointSets clusters(corners.size());
     for (const auto& [one, other] : findMeetingPairs(boxes))
     {
-        parent[rootOf(other)] = rootOf(one);
+        clusters.join(one, other);
     }
     int first = 0;
     for (const Polygon& cell : cells)
@@ -87,7 +77,7 @@ void mergeShortEdges(std::vector<Polygon>& cells, const Vector<2>& size, double 
             const int next = (i + 1) % count;
             if ((cell[next] - cell[i]).norm() < least)
             {
-                parent[rootOf(first + next)] = rootOf(first + i);
+                clusters.join(first + i, first + next);
             }
         }
         first += count;
@@ -98,7 +88,7 @@ void mergeShortEdges(std::vector<Polygon>& cells, const Vector<2>& size, double 
     std::vector<BoundingBox> extents(corners.size());
     for (std::size_t i = 0; i < corners.size(); ++i)
     {
-        const int root = rootOf(static_cast<int>(i));
+        const int root = clusters.firstOf(static_cast<int>(i));
         sums[root] += corners[i];
         ++counts[root];
         extend<2>(extents[root], corners[i]);
@@ -120,7 +110,7 @@ void mergeShortEdges(std::vector<Polygon>& cells, const Vector<2>& size, double 
         Polygon outline;
         for (std::size_t i = 0; i < cell.size(); ++i)
         {
-            const Vector<2> corner = merged(rootOf(first + static_cast<int>(i)));
+            const Vector<2> corner = merged(clusters.firstOf(first + static_cast<int>(i)));
             if (outline.empty() || outline.back() != corner)
             {
                 outline.push_back(corner);

@@ -3,6 +3,7 @@
 /// anew.
 #include "texture/space/ShortEdges.h"
 
+#include "core/DisjointSets.h"
 #include "geometry/BroadPhase.h"
 #include "geometry/space/PolyhedronFault.h"
 
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 
@@ -19,32 +19,6 @@ namespace drystone
 
 namespace
 {
-
-/// Sets of corners that have become one.
-struct Clusters
-{
-    std::vector<int> parent;
-
-    explicit Clusters(std::size_t count) : parent(count) { std::iota(parent.begin(), parent.end(), 0); }
-
-    int rootOf(int i)
-    {
-        while (parent[i] != i)
-        {
-            parent[i] = parent[parent[i]];
-            i = parent[i];
-        }
-        return i;
-    }
-
-    void unite(int one, int other)
-    {
-        // The lower number stays, whatever the order of uniting.
-        const int a = rootOf(one);
-        const int b = rootOf(other);
-        parent[std::max(a, b)] = std::min(a, b);
-    }
-};
 
 /// Solids with common corners.
 struct Complex
@@ -72,16 +46,16 @@ Complex complexOf(const std::vector<Polyhedron>& cells, double same)
             boxes.push_back(enlarged<3>({vertex, vertex}, same / 2));
         }
     }
-    Clusters clusters(all.size());
+    DisjointSets clusters(all.size());
     for (const auto& [one, other] : findMeetingPairs<3>(boxes))
     {
-        clusters.unite(one, other);
+        clusters.join(one, other);
     }
     Complex complex;
     std::vector<int> numbers(all.size(), -1);
     for (std::size_t i = 0; i < all.size(); ++i)
     {
-        const int root = clusters.rootOf(static_cast<int>(i)); // not above i
+        const int root = clusters.firstOf(static_cast<int>(i)); // not above i
         if (numbers[root] < 0)
         {
             numbers[root] = static_cast<int>(complex.corners.size());
@@ -120,7 +94,7 @@ Complex complexOf(const std::vector<Polyhedron>& cells, double same)
 }
 
 /// Where the clusters are: the mean of their corners, but on the sides of the box that they touch.
-std::vector<Vector<3>> clusterPlaces(const Complex& complex, Clusters& clusters, const Vector<3>& size,
+std::vector<Vector<3>> clusterPlaces(const Complex& complex, DisjointSets& clusters, const Vector<3>& size,
                                      double same)
 {
     std::vector<Vector<3>> places(complex.corners.size(), Vector<3>::Zero());
@@ -128,7 +102,7 @@ std::vector<Vector<3>> clusterPlaces(const Complex& complex, Clusters& clusters,
     std::vector<Box<3>> extents(complex.corners.size());
     for (std::size_t i = 0; i < complex.corners.size(); ++i)
     {
-        const int root = clusters.rootOf(static_cast<int>(i));
+        const int root = clusters.firstOf(static_cast<int>(i));
         places[root] += complex.corners[i];
         ++counts[root];
         extend<3>(extents[root], complex.corners[i]);
@@ -306,7 +280,7 @@ struct Shrunk
 /// The ends of short edges together, but for corners that stay.
 Shrunk shrink(const Complex& complex, const std::vector<char>& isFixed, const Vector<3>& size, double least)
 {
-    Clusters clusters(complex.corners.size());
+    DisjointSets clusters(complex.corners.size());
     for (const std::vector<std::vector<int>>& faces : complex.solids)
     {
         for (const std::vector<int>& face : faces)
@@ -318,7 +292,7 @@ Shrunk shrink(const Complex& complex, const std::vector<char>& isFixed, const Ve
                 if (isFixed[from] == 0 && isFixed[to] == 0
                     && (complex.corners[to] - complex.corners[from]).norm() < least)
                 {
-                    clusters.unite(from, to);
+                    clusters.join(from, to);
                 }
             }
         }
@@ -326,7 +300,7 @@ Shrunk shrink(const Complex& complex, const std::vector<char>& isFixed, const Ve
     Shrunk shrunk{{}, clusterPlaces(complex, clusters, size, sameIn(size))};
     for (std::size_t i = 0; i < complex.corners.size(); ++i)
     {
-        shrunk.roots.push_back(clusters.rootOf(static_cast<int>(i)));
+        shrunk.roots.push_back(clusters.firstOf(static_cast<int>(i)));
     }
     return shrunk;
 }
