@@ -3,6 +3,7 @@
 #include "contact/ShapeChecks.h"
 
 #include "contact/SupportPaths.h"
+#include "geometry/space/EdgeLine.h"
 #include "geometry/space/FacePolygon.h"
 #include "geometry/space/PolyhedronOverlap.h"
 
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -95,56 +97,27 @@ double jointSize(std::span<const ContactPoint<3>> points)
 namespace
 {
 
-struct EdgeLine
-{
-    Vector<3> start;
-    Vector<3> along; ///< to its end
-
-    Vector<3> at(double part) const { return start + part * along; }
-    double nearest(const Vector<3>& point) const { return (point - start).dot(along) / along.squaredNorm(); }
-};
-
-std::vector<EdgeLine> edgeLinesOf(const Polyhedron& shape)
-{
-    std::vector<EdgeLine> edges;
-    for (const std::vector<int>& face : shape.faces)
-    {
-        for (std::size_t i = 0; i < face.size(); ++i)
-        {
-            const int next = face[(i + 1) % face.size()];
-            if (face[i] < next) // each belongs to two faces
-            {
-                edges.push_back({shape.vertices[face[i]], shape.vertices[next] - shape.vertices[face[i]]});
-            }
-        }
-    }
-    return edges;
-}
-
 /// Where edges of two blocks that touch cross: the middle between the nearest of them; nothing where none do.
 std::optional<Vector<3>> crossingOfEdges(const Polyhedron& one, const Polyhedron& other)
 {
     std::optional<Vector<3>> place;
-    double least = 1e300;
-    const std::vector<EdgeLine> edges = edgeLinesOf(other);
-    for (const EdgeLine& edge : edgeLinesOf(one))
+    double least = std::numeric_limits<double>::infinity();
+    const std::vector<EdgeLine> edges = edgesOf(other);
+    for (const EdgeLine& edge : edgesOf(one))
     {
         for (const EdgeLine& crossing : edges)
         {
-            // Both differences to the nearest points of two lines are perpendicular to (edge - crossing).
-            const Vector<3> normal = edge.along.cross(crossing.along);
-            if (!(normal.norm() > 1e-9 * edge.along.norm() * crossing.along.norm()))
+            const std::optional<double> part = nearestToLine(edge, crossing);
+            if (!part)
             {
                 continue;
             }
-            const double part =
-                (crossing.start - edge.start).cross(crossing.along).dot(normal) / normal.squaredNorm();
-            const double ofCrossing = crossing.nearest(edge.at(part));
-            const Vector<3> apart = crossing.at(ofCrossing) - edge.at(part);
-            if (part >= 0 && part <= 1 && ofCrossing >= 0 && ofCrossing <= 1 && apart.norm() < least)
+            const double ofCrossing = crossing.nearest(edge.at(*part));
+            const Vector<3> apart = crossing.at(ofCrossing) - edge.at(*part);
+            if (*part >= 0 && *part <= 1 && ofCrossing >= 0 && ofCrossing <= 1 && apart.norm() < least)
             {
                 least = apart.norm();
-                place = edge.at(part) + apart / 2;
+                place = edge.at(*part) + apart / 2;
             }
         }
     }
@@ -197,12 +170,9 @@ std::vector<double> meetingsAlong(const EdgeLine& edge, const Polyhedron& other,
     }
     for (const EdgeLine& crossing : edges)
     {
-        // The nearest points of two lines: both differences are perpendicular to (edge - crossing).
-        const Vector<3> normal = edge.along.cross(crossing.along);
-        if (normal.norm() > 1e-9 * edge.along.norm() * crossing.along.norm())
+        if (const std::optional<double> part = nearestToLine(edge, crossing))
         {
-            parts.push_back((crossing.start - edge.start).cross(crossing.along).dot(normal)
-                            / normal.squaredNorm());
+            parts.push_back(*part);
         }
     }
     std::erase_if(parts, [&](double part)
@@ -214,14 +184,14 @@ std::vector<double> meetingsAlong(const EdgeLine& edge, const Polyhedron& other,
 /// Whether a corner or a part of an edge of one block lies within a face of another.
 bool liesInFace(const Polyhedron& one, const Polyhedron& other, double tolerance)
 {
-    const std::vector<EdgeLine> edges = edgeLinesOf(other);
+    const std::vector<EdgeLine> edges = edgesOf(other);
     const auto isInFace = [&](const Vector<3>& point)
     { return distance(other, point) <= tolerance && !isOnEdge(edges, point, tolerance); };
     if (std::any_of(one.vertices.begin(), one.vertices.end(), isInFace))
     {
         return true;
     }
-    for (const EdgeLine& edge : edgeLinesOf(one))
+    for (const EdgeLine& edge : edgesOf(one))
     {
         // Between two meetings an edge is in one face, on one edge or off the block.
         const std::vector<double> parts = meetingsAlong(edge, other, edges, tolerance);

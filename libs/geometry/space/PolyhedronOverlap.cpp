@@ -3,6 +3,7 @@
 #include "geometry/space/PolyhedronOverlap.h"
 
 #include "geometry/space/ConvexParts.h"
+#include "geometry/space/EdgeLine.h"
 #include "geometry/space/FacePolygon.h"
 
 #include <Eigen/Geometry>
@@ -44,23 +45,13 @@ std::vector<Vector<3>> faceNormals(const Polyhedron& polyhedron)
 std::vector<Vector<3>> edgeDirections(const Polyhedron& polyhedron)
 {
     std::vector<Vector<3>> directions;
-    for (const std::vector<int>& face : polyhedron.faces)
+    for (const EdgeLine& edge : edgesOf(polyhedron))
     {
-        for (std::size_t i = 0; i < face.size(); ++i)
+        const Vector<3> direction = edge.along.normalized();
+        if (std::none_of(directions.begin(), directions.end(), [&](const Vector<3>& known)
+                         { return std::abs(known.dot(direction)) > 1 - 1e-12; }))
         {
-            const int from = face[i];
-            const int to = face[(i + 1) % face.size()];
-            if (from > to)
-            {
-                continue;
-            }
-            const Vector<3> direction = (polyhedron.vertices[to] - polyhedron.vertices[from]).normalized();
-            if (std::none_of(directions.begin(), directions.end(),
-                             [&](const Vector<3>& known)
-                             { return std::abs(known.dot(direction)) > 1 - 1e-12; }))
-            {
-                directions.push_back(direction);
-            }
+            directions.push_back(direction);
         }
     }
     return directions;
