@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace drystone
 {
@@ -183,10 +184,12 @@ bool isConvex(const Polygon& polygon)
     return true;
 }
 
-std::vector<std::array<Vector<2>, 3>> triangulate(const Polygon& polygon)
+std::vector<std::array<int, 3>> triangleCorners(const Polygon& polygon)
 {
-    std::vector<std::array<Vector<2>, 3>> triangles;
-    Polygon left = polygon;
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<int> left(polygon.size());
+    std::iota(left.begin(), left.end(), 0);
+    const auto cornerAt = [&](std::size_t i) -> const Vector<2>& { return polygon[left[i % left.size()]]; };
     std::size_t start = 0;
     while (left.size() > 3)
     {
@@ -197,9 +200,9 @@ std::vector<std::array<Vector<2>, 3>> triangulate(const Polygon& polygon)
         for (std::size_t step = 0; step < size && ear == size; ++step)
         {
             const std::size_t i = (start + step) % size;
-            const Vector<2>& a = left[(i + size - 1) % size];
-            const Vector<2>& b = left[i];
-            const Vector<2>& c = left[(i + 1) % size];
+            const Vector<2>& a = cornerAt(i + size - 1);
+            const Vector<2>& b = cornerAt(i);
+            const Vector<2>& c = cornerAt(i + 1);
             const double area = turn(a, b, c);
             if (area > largestTurn)
             {
@@ -208,8 +211,11 @@ std::vector<std::array<Vector<2>, 3>> triangulate(const Polygon& polygon)
             }
             // An ear turns left and holds no other corner. Corners that coincide with one of its own do not
             // count: outlines may touch themselves once ears are gone.
-            const auto isInside = [&](const Vector<2>& p)
-            { return p != a && p != b && p != c && isInTriangle(p, a, b, c); };
+            const auto isInside = [&](int corner)
+            {
+                const Vector<2>& p = polygon[corner];
+                return p != a && p != b && p != c && isInTriangle(p, a, b, c);
+            };
             if (area > 0 && std::none_of(left.begin(), left.end(), isInside))
             {
                 ear = i;
@@ -226,6 +232,16 @@ std::vector<std::array<Vector<2>, 3>> triangulate(const Polygon& polygon)
     if (left.size() == 3)
     {
         triangles.push_back({left[0], left[1], left[2]});
+    }
+    return triangles;
+}
+
+std::vector<std::array<Vector<2>, 3>> triangulate(const Polygon& polygon)
+{
+    std::vector<std::array<Vector<2>, 3>> triangles;
+    for (const auto& [a, b, c] : triangleCorners(polygon))
+    {
+        triangles.push_back({polygon[a], polygon[b], polygon[c]});
     }
     return triangles;
 }

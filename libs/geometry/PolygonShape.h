@@ -27,8 +27,11 @@ std::string outlineFault(const Polygon& polygon);
 /// Whether no corner of a simple counter-clockwise polygon turns right. Straight corners count as convex.
 bool isConvex(const Polygon& polygon);
 
-/// Corners (counter-clockwise) of triangles that together make up a simple counter-clockwise polygon, by ear
-/// clipping: time of order n^2.
+/// Triangles (counter-clockwise) that together make up a simple counter-clockwise polygon, by ear clipping, as
+/// indices of its corners; of one that crosses itself, as many triangles. Takes time of order n^2.
+std::vector<std::array<int, 3>> triangleCorners(const Polygon& polygon);
+
+/// The same with the corners themselves.
 std::vector<std::array<Vector<2>, 3>> triangulate(const Polygon& polygon);
 
 /// Area common to two simple counter-clockwise polygons [m2], convex or not. Correct to rounding relative to

@@ -4,12 +4,14 @@
 
 #include "assembly/BlockShape.h"
 #include "core/Error.h"
+#include "geometry/PolygonShape.h"
 #include "geometry/Turn.h"
 #include "geometry/space/FacePolygon.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -107,29 +109,11 @@ bool isCoveredByFan(const Polygon& outline, std::size_t first)
     return true;
 }
 
-/// Whether no other corner lies in the triangle at corner i, so that it can be cut off.
-bool isEar(const Polygon& outline, std::size_t i)
-{
-    const std::size_t count = outline.size();
-    const Vector<2>& a = outline[(i + count - 1) % count];
-    const Vector<2>& b = outline[i];
-    const Vector<2>& c = outline[(i + 1) % count];
-    if (!(turn(a, b, c) > 0))
-    {
-        return false;
-    }
-    return std::none_of(outline.begin(), outline.end(),
-                        [&](const Vector<2>& p) {
-                            return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0
-                                   && turn(c, a, p) >= 0;
-                        });
-}
-
 /// Cuts an outline into polygons that viewers fill correctly: they paint a fan of triangles around the first
 /// corner. Most blocks, including concave ones, have a corner from which all of it is visible, and need only
 /// start there. The others are cut into triangles by ear clipping. \returns indices of corners, polygon by
 /// polygon
-std::vector<std::vector<int>> fans(Polygon outline)
+std::vector<std::vector<int>> fans(const Polygon& outline)
 {
     std::vector<int> corners(outline.size());
     std::iota(corners.begin(), corners.end(), 0);
@@ -142,20 +126,10 @@ std::vector<std::vector<int>> fans(Polygon outline)
         }
     }
     std::vector<std::vector<int>> pieces;
-    while (outline.size() > 3)
+    for (const std::array<int, 3>& triangle : triangleCorners(outline))
     {
-        std::size_t ear = 0;
-        while (ear + 1 < outline.size()
-               && !isEar(outline, ear)) // an outline that crosses itself may have none
-        {
-            ++ear;
-        }
-        const std::size_t count = outline.size();
-        pieces.push_back({corners[(ear + count - 1) % count], corners[ear], corners[(ear + 1) % count]});
-        outline.erase(outline.begin() + static_cast<std::ptrdiff_t>(ear));
-        corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(ear));
+        pieces.emplace_back(triangle.begin(), triangle.end());
     }
-    pieces.push_back(corners);
     return pieces;
 }
 

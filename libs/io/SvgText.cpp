@@ -2,6 +2,8 @@
 /// Writes the shapes of a drawing as elements of SVG.
 #include "io/SvgText.h"
 
+#include "core/MarkupText.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -19,36 +21,6 @@ std::string pixels(double value)
 {
     const double rounded = std::round(value * 100) / 100;
     return fmt::format("{}", rounded == 0 ? 0.0 : rounded); // not "-0"
-}
-
-/// Text with the characters reserved by XML replaced.
-std::string escaped(std::string_view text)
-{
-    std::string result;
-    for (const char c : text)
-    {
-        switch (c)
-        {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        case '"':
-            result += "&quot;";
-            break;
-        default: // XML 1.0 has no other control characters than these
-            if (static_cast<unsigned char>(c) >= 0x20 || c == '\t' || c == '\n')
-            {
-                result += c;
-            }
-        }
-    }
-    return result;
 }
 
 /// The elements written so far.
@@ -82,10 +54,10 @@ void SvgBody::points(const std::vector<Vector<2>>& points)
 
 void SvgBody::paint(const ShapeStyle& style)
 {
-    fmt::format_to(std::back_inserter(text), " fill=\"{}\"", escaped(style.fill));
+    fmt::format_to(std::back_inserter(text), " fill=\"{}\"", markupText(style.fill));
     if (style.stroke != "none")
     {
-        fmt::format_to(std::back_inserter(text), " stroke=\"{}\" stroke-width=\"{}\"", escaped(style.stroke),
+        fmt::format_to(std::back_inserter(text), " stroke=\"{}\" stroke-width=\"{}\"", markupText(style.stroke),
                        pixels(style.strokeWidth));
     }
     if (!style.dash.empty())
@@ -181,17 +153,17 @@ void SvgBody::operator()(const CanvasText& label)
                                                               : "end";
     fmt::format_to(
         std::back_inserter(text), "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"",
-        pixels(label.at.x()), pixels(label.at.y()), pixels(style.size), anchor, escaped(style.fill));
+        pixels(label.at.x()), pixels(label.at.y()), pixels(style.size), anchor, markupText(style.fill));
     if (!style.weight.empty())
     {
-        fmt::format_to(std::back_inserter(text), " font-weight=\"{}\"", escaped(style.weight));
+        fmt::format_to(std::back_inserter(text), " font-weight=\"{}\"", markupText(style.weight));
     }
     if (style.rotation != 0)
     {
         fmt::format_to(std::back_inserter(text), " transform=\"rotate({} {} {})\"", pixels(style.rotation),
                        pixels(label.at.x()), pixels(label.at.y()));
     }
-    fmt::format_to(std::back_inserter(text), ">{}</text>\n", escaped(label.content));
+    fmt::format_to(std::back_inserter(text), ">{}</text>\n", markupText(label.content));
 }
 
 void SvgBody::operator()(const CanvasHatch& hatch)
@@ -201,7 +173,7 @@ void SvgBody::operator()(const CanvasHatch& hatch)
         "<defs><pattern id=\"{0}\" width=\"{1}\" height=\"{1}\" patternUnits=\"userSpaceOnUse\" "
         "patternTransform=\"rotate(45)\"><line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"{1}\" stroke=\"{2}\" "
         "stroke-width=\"1.6\"/></pattern></defs>\n",
-        escaped(hatch.name), pixels(hatch.spacing), escaped(hatch.colour));
+        markupText(hatch.name), pixels(hatch.spacing), markupText(hatch.colour));
 }
 
 void SvgBody::operator()(const CanvasClip& clip)
@@ -210,7 +182,7 @@ void SvgBody::operator()(const CanvasClip& clip)
         std::back_inserter(text),
         "<clipPath id=\"{0}\"><rect x=\"{1}\" y=\"{2}\" width=\"{3}\" height=\"{4}\"/></clipPath>\n"
         "<g clip-path=\"url(#{0})\">\n",
-        escaped(clip.name), pixels(clip.corner.x()), pixels(clip.corner.y()), pixels(clip.width),
+        markupText(clip.name), pixels(clip.corner.x()), pixels(clip.corner.y()), pixels(clip.width),
         pixels(clip.height));
 }
 

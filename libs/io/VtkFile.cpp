@@ -5,6 +5,7 @@
 
 #include "core/Base64.h"
 #include "core/Error.h"
+#include "core/MarkupText.h"
 #include "core/WholeFile.h"
 
 #include <fmt/format.h>
@@ -173,33 +174,6 @@ std::array<double, 2> rangeOf(const double* values, std::size_t tuples, int comp
     return range;
 }
 
-/// A name as the value of an attribute in XML.
-std::string attribute(std::string_view name)
-{
-    std::string text;
-    for (const char c : name)
-    {
-        switch (c)
-        {
-        case '&':
-            text += "&amp;";
-            break;
-        case '<':
-            text += "&lt;";
-            break;
-        case '>':
-            text += "&gt;";
-            break;
-        case '"':
-            text += "&quot;";
-            break;
-        default:
-            text += c;
-        }
-    }
-    return text;
-}
-
 /// The elements of a file.
 struct VtpText
 {
@@ -211,7 +185,7 @@ struct VtpText
         fmt::format_to(std::back_inserter(elements),
                        "        <DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\" RangeMin=\"{}\" "
                        "RangeMax=\"{}\">{}</DataArray>\n",
-                       type, attribute(name), components > 1 ? " NumberOfComponents=\"3\"" : "", range[0],
+                       type, markupText(name), components > 1 ? " NumberOfComponents=\"3\"" : "", range[0],
                        range[1], encoded(bytesOf<Number>(values, tuples, components)));
     }
 
@@ -241,7 +215,7 @@ void addFields(VtpText& text, std::string_view element, const std::vector<Field>
     const auto first = [&](std::string_view shown, const auto& isShown) -> std::string
     {
         const auto field = std::find_if(fields.begin(), fields.end(), isShown);
-        return field == fields.end() ? "" : fmt::format(" {}=\"{}\"", shown, attribute(field->name));
+        return field == fields.end() ? "" : fmt::format(" {}=\"{}\"", shown, markupText(field->name));
     };
     text.elements += fmt::format("      <{}{}{}>\n", element,
                                  first("Scalars", [](const Field& field) { return field.components == 1; }),

@@ -3,6 +3,7 @@
 #include "report/HtmlPage.h"
 
 #include "core/Base64.h"
+#include "core/MarkupText.h"
 
 #include <fmt/format.h>
 
@@ -50,40 +51,14 @@ std::string withOwnNames(std::string_view svg, std::string_view prefix)
 
 } // namespace
 
-std::string htmlText(std::string_view text)
-{
-    std::string escaped;
-    for (const char character : text)
-    {
-        switch (character)
-        {
-        case '&':
-            escaped += "&amp;";
-            break;
-        case '<':
-            escaped += "&lt;";
-            break;
-        case '>':
-            escaped += "&gt;";
-            break;
-        case '"':
-            escaped += "&quot;";
-            break;
-        default:
-            escaped += character;
-        }
-    }
-    return escaped;
-}
-
 void HtmlPage::heading(std::string_view text)
 {
-    body += fmt::format("<h2>{}</h2>\n", htmlText(text));
+    body += fmt::format("<h2>{}</h2>\n", markupText(text));
 }
 
 void HtmlPage::paragraph(std::string_view text)
 {
-    body += fmt::format("<p>{}</p>\n", htmlText(text));
+    body += fmt::format("<p>{}</p>\n", markupText(text));
 }
 
 void HtmlPage::table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows)
@@ -93,7 +68,7 @@ void HtmlPage::table(const std::vector<std::string>& head, const std::vector<std
         body += "<tr>";
         for (const std::string& cell : cells)
         {
-            body += fmt::format("<{0}>{1}</{0}>", tag, htmlText(cell));
+            body += fmt::format("<{0}>{1}</{0}>", tag, markupText(cell));
         }
         body += "</tr>\n";
     };
@@ -111,7 +86,7 @@ void HtmlPage::table(const std::vector<std::string>& head, const std::vector<std
 
 void HtmlPage::verbatim(std::string_view text)
 {
-    body += fmt::format("<pre>{}</pre>\n", htmlText(text));
+    body += fmt::format("<pre>{}</pre>\n", markupText(text));
 }
 
 void HtmlPage::picture(std::string_view svg, std::string_view caption)
@@ -123,7 +98,7 @@ void HtmlPage::picture(std::string_view svg, std::string_view caption)
         svg.remove_prefix(begin);
     }
     body += fmt::format("<figure>\n{}\n<figcaption>{}</figcaption>\n</figure>\n",
-                        withOwnNames(svg, fmt::format("picture{}-", ++pictures)), htmlText(caption));
+                        withOwnNames(svg, fmt::format("picture{}-", ++pictures)), markupText(caption));
 }
 
 void HtmlPage::image(std::string_view png, std::string_view caption)
@@ -131,7 +106,7 @@ void HtmlPage::image(std::string_view png, std::string_view caption)
     body += fmt::format(
         "<figure>\n<img alt=\"{0}\" style=\"max-width: 100%\" src=\"data:image/png;base64,{1}\">\n"
         "<figcaption>{0}</figcaption>\n</figure>\n",
-        htmlText(caption), base64(png));
+        markupText(caption), base64(png));
 }
 
 void HtmlPage::markup(std::string_view html)
@@ -144,7 +119,7 @@ std::string HtmlPage::text() const
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{0}</title>\n"
         "<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}</body>\n</html>\n",
-        htmlText(title), style, body);
+        markupText(title), style, body);
 }
 
 } // namespace drystone

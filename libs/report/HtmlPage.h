@@ -9,9 +9,6 @@
 namespace drystone
 {
 
-/// Text with `& < > "` as HTML wants them.
-std::string htmlText(std::string_view text);
-
 /// Collects a page from top to bottom. What is passed as text is escaped; what is passed as markup is not.
 class HtmlPage
 {

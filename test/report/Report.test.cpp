@@ -25,7 +25,6 @@ using testing::HasSubstr;
 
 TEST(HtmlPage, EscapesTextAndKeepsMarkup)
 {
-    EXPECT_EQ(htmlText("a < b & \"c\">"), "a &lt; b &amp; &quot;c&quot;&gt;");
     HtmlPage page("<wall>");
     page.paragraph("1 < 2");
     page.table({"key", "value"}, {{"a", "<b>"}});
