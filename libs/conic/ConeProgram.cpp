@@ -104,7 +104,7 @@ ConeProgram<Rows, Forces> withUnitInertia(ConeProgram<Rows, Forces> program)
     return program;
 }
 
-void addWork(ConeSolution& whole, const ConeSolution& part)
+void addWork(SolverWork& whole, const SolverWork& part)
 {
     whole.iterations += part.iterations;
     whole.factorisations += part.factorisations;

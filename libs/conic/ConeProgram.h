@@ -170,9 +170,20 @@ struct InteriorStart
     bool isEmpty() const { return displacement.size() == 0; }
 };
 
+/// What an answer took, all programs together.
+struct SolverWork
+{
+    int iterations = 0;
+    int factorisations = 0; ///< of Schur matrices
+    int solves = 0;         ///< with those factors, forwards and back; counted by solveInteriorPoint only
+};
+
+/// Adds what a part of the work took.
+void addWork(SolverWork& whole, const SolverWork& part);
+
 /// What a solver returns. For `infeasible` the displacement y is a ray: -A' y in the dual cone, L' y = 0, f'
 /// y > 0. For `unbounded` the contact force c is a ray: A c = L, c in the cone.
-struct ConeSolution
+struct ConeSolution : SolverWork
 {
     SolveStatus status = SolveStatus::notConverged;
     double multiplier = 0;        ///< alpha
@@ -180,16 +191,9 @@ struct ConeSolution
     Eigen::VectorXd displacement; ///< y, R b
     /// Forces that carry f alone (alpha = 0), where a solver has come by some on its way; else empty.
     Eigen::VectorXd forceOfLoadAlone;
-    InteriorStart interior; ///< of a program with inertia, where a solver passed one; else empty
-    int iterations = 0;
-    int factorisations = 0;
-    int solves = 0;           ///< with the factor, forwards and back; counted by solveInteriorPoint only
+    InteriorStart interior;   ///< of a program with inertia, where a solver passed one; else empty
     bool isStartLost = false; ///< the start was nearly the solution, and this was not found from it
 };
-
-/// Adds the iterations, factorisations and solves of one solution to another's, which it is part of the work
-/// for.
-void addWork(ConeSolution& whole, const ConeSolution& part);
 
 /// A c: generalised forces that contact forces balance. \param contactForce F k \return R b
 template<int Rows, int Forces>

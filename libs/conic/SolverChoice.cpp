@@ -118,8 +118,8 @@ public:
             error = itsError;
         }
         best.interior = interior;
-        best.iterations = iterations += solved.iterations;
-        best.factorisations = factorisations += solved.factorisations;
+        addWork(work, solved);
+        static_cast<SolverWork&>(best) = work;
         best.isStartLost = isStartLost;
         return best.status == SolveStatus::optimal || !goesOn;
     }
@@ -140,8 +140,7 @@ private:
     const bool goesOn;
     double error = std::numeric_limits<double>::infinity();
     InteriorStart interior; ///< passed on the way
-    int iterations = 0;
-    int factorisations = 0;
+    SolverWork work;
     bool isStartLost = false;
 };
 

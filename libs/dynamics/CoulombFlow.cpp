@@ -27,8 +27,7 @@ bool solveFlow(ThetaStep& step, StepProgram<Dim>& program, const ConeSolution& s
     constexpr double beyond = 1e-3; // nearly for nothing: the last Newton step is exact
     ConeSolution solution = solveCoulombNewton(
         program, start, {beyond * settings.solver.tolerance, gapTolerance, mostNewtonSteps}, symbolic);
-    step.iterations += solution.iterations;
-    step.factorisations += solution.factorisations;
+    addWork(step, solution);
     if (solution.status != SolveStatus::optimal)
     {
         return false;

@@ -136,8 +136,7 @@ public:
     /// Of the restitution, what is left of it where it is least; 1 where no point rebounds.
     double leastShare(const ImpactOutcome& chosen) const;
 
-    int iterations = 0;
-    int factorisations = 0;
+    SolverWork work;
     int programs = 0;
 
 private:
@@ -215,8 +214,7 @@ bool ImpactSearch<Dim>::solve(const Eigen::VectorXd& share, FlowRule flowRule, I
         share.isZero(0) ? std::numeric_limits<double>::infinity() : largestForce(program, instant.blockSize);
     const ThetaStep step =
         solveThetaStep(std::move(program), instant, guess, Relinearisation<Dim>(), &symbolic);
-    iterations += step.iterations;
-    factorisations += step.factorisations;
+    addWork(work, step);
     programs += step.programs;
     isWedged = step.contactForce.template lpNorm<Eigen::Infinity>() > largest;
     if (step.status != SolveStatus::optimal || isWedged)
@@ -289,7 +287,7 @@ ImpactOutcome ImpactSearch<Dim>::refined(const std::vector<char>& gains, ImpactO
                                      .cwiseProduct(roots.cwiseProduct(all - roots))
                                      .template lpNorm<Eigen::Infinity>();
         ImpactOutcome trial;
-        if (undecided <= restitutionKnown || factorisations > manyFactorisations
+        if (undecided <= restitutionKnown || work.factorisations > manyFactorisations
             || !solve(share, FlowRule::nonAssociative, trial))
         {
             break;
@@ -343,7 +341,7 @@ void ImpactSearch<Dim>::addRebounds(ImpactOutcome& chosen)
     for (int group = 0; groups.count > 1 && problem.restitution > 0 && group < groups.count; ++group)
     {
         ImpactOutcome rebound;
-        if (factorisations <= manyFactorisations
+        if (work.factorisations <= manyFactorisations
             && solve(Eigen::VectorXd::Unit(groups.count, group), FlowRule::nonAssociative, rebound))
         {
             std::vector<char> only(static_cast<std::size_t>(groups.count), false);
@@ -395,8 +393,7 @@ Impact impactOf(const ImpactProblem<Dim>& problem, const StepSettings& settings)
     ImpactOutcome chosen;
     Impact impact;
     impact.isSolved = search.find(chosen);
-    impact.iterations = search.iterations;
-    impact.factorisations = search.factorisations;
+    addWork(impact, search.work);
     impact.programs = search.programs;
     if (!impact.isSolved)
     {

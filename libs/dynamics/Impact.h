@@ -27,7 +27,7 @@ struct ImpactProblem
 };
 
 /// What an impact changes.
-struct Impact
+struct Impact : SolverWork
 {
     bool isSolved = false;
     Eigen::VectorXd velocity;  ///< v+
@@ -36,9 +36,7 @@ struct Impact
     double workOfSupports = 0; ///< by the impulses on blocks that move with a support [J]
     /// The least part of the restitution that blocks part with: below 1 where all of it would create energy.
     double restitutionShare = 1;
-    int iterations = 0; ///< of all programs together
-    int factorisations = 0;
-    int programs = 0;
+    int programs = 0; ///< solved
 };
 
 /// Newton's impact law as Moreau (1988) wrote it for many points at once, bounded by energy. With u = A'v the

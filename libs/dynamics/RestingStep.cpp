@@ -102,8 +102,7 @@ ConeSolution solveCounted(ThetaStep& step, const StepProgram<Dim>& program, cons
     {
         step.interior = solution.interior;
     }
-    step.iterations += solution.iterations;
-    step.factorisations += solution.factorisations;
+    addWork(step, solution);
     return solution;
 }
 

@@ -106,7 +106,7 @@ template<int Dim>
 double largestForce(const StepProgram<Dim>& program, double blockSize);
 
 /// A solved step.
-struct ThetaStep
+struct ThetaStep : SolverWork ///< no factorisation where the guess was the solution
 {
     SolveStatus status = SolveStatus::notConverged; ///< `optimal` or not usable
     Eigen::VectorXd displacement;                   ///< y, rows of each free block [m, rad]
@@ -117,12 +117,10 @@ struct ThetaStep
     Eigen::VectorXd load;         ///< of that program, rows of each free block; or empty: as given
     Eigen::VectorXd gap;          ///< likewise, (normal, tangent) of each point [m]
     double initialResidual =
-        0;                  ///< worst figure of the certificate of the guess "no motion, forces as before"
-    double flowError = 0;   ///< by how much mu |u_t| is missed, at the worst of the points that touch [m]
-    double slip = 0;        ///< largest at points that carry a force, of a step that programs alone solve [m]
-    int iterations = 0;     ///< of all programs together
-    int factorisations = 0; ///< likewise; 0 when the guess was the solution
-    int programs = 0;       ///< solved
+        0;                ///< worst figure of the certificate of the guess "no motion, forces as before"
+    double flowError = 0; ///< by how much mu |u_t| is missed, at the worst of the points that touch [m]
+    double slip = 0;      ///< largest at points that carry a force, of a step that programs alone solve [m]
+    int programs = 0;     ///< solved
     bool isStartLost = false; ///< one of the programs was not solved from the one before it, though near it
 };
 

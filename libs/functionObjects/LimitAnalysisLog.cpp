@@ -157,7 +157,7 @@ void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis
             "both come nearer to the exact multiplier.",
             result.alpha - std::copysign(less, live.dot(result.mechanism)),
             100 * less / std::abs(result.alpha));
-        less > worthWarning * std::abs(result.alpha) ? printWarning(bound) : printLine(bound);
+        less > worthWarning* std::abs(result.alpha) ? printWarning(bound) : printLine(bound);
     }
 }
 

@@ -27,8 +27,8 @@ std::string outlineFault(const Polygon& polygon);
 /// Whether no corner of a simple counter-clockwise polygon turns right. Straight corners count as convex.
 bool isConvex(const Polygon& polygon);
 
-/// Triangles (counter-clockwise) that together make up a simple counter-clockwise polygon, by ear clipping, as
-/// indices of its corners; of one that crosses itself, as many triangles. Takes time of order n^2.
+/// Triangles (counter-clockwise) that together make up a simple counter-clockwise polygon, by ear clipping,
+/// as indices of its corners; of one that crosses itself, as many triangles. Takes time of order n^2.
 std::vector<std::array<int, 3>> triangleCorners(const Polygon& polygon);
 
 /// The same with the corners themselves.

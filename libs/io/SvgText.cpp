@@ -57,8 +57,8 @@ void SvgBody::paint(const ShapeStyle& style)
     fmt::format_to(std::back_inserter(text), " fill=\"{}\"", markupText(style.fill));
     if (style.stroke != "none")
     {
-        fmt::format_to(std::back_inserter(text), " stroke=\"{}\" stroke-width=\"{}\"", markupText(style.stroke),
-                       pixels(style.strokeWidth));
+        fmt::format_to(std::back_inserter(text), " stroke=\"{}\" stroke-width=\"{}\"",
+                       markupText(style.stroke), pixels(style.strokeWidth));
     }
     if (!style.dash.empty())
     {

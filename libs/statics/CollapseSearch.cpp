@@ -156,9 +156,7 @@ ConeSolution CollapseSearch<Rows, Forces>::solve(const Program& program,
                                                  const InteriorPointSettings& settings)
 {
     ConeSolution solution = solveInteriorPoint(program, settings, &symbolicAnalysis);
-    effort.iterations += solution.iterations;
-    effort.factorisations += solution.factorisations;
-    effort.solves += solution.solves;
+    addWork(effort, solution);
     return solution;
 }
 
@@ -190,9 +188,7 @@ CollapsePair CollapseSearch<Rows, Forces>::path(const Start& start, const Collap
         };
     }
     CollapsePair pair = followCollapsePath(given, start.contactForce, start.alpha, observed);
-    effort.iterations += pair.pieces;
-    effort.factorisations += pair.factorisations;
-    effort.solves += pair.solves;
+    addWork(effort, {pair.pieces, pair.factorisations, pair.solves});
     return pair;
 }
 

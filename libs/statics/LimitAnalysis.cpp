@@ -64,9 +64,7 @@ LimitAnalysis completedAnalysis(const ConeProgram<Rows, Forces>& program, const 
 {
     LimitAnalysis result;
     result.variables = Forces * program.points() + 1;
-    result.iterations = solution.iterations;
-    result.factorisations = solution.factorisations;
-    result.solves = solution.solves;
+    addWork(result, solution);
     result.contactForce = Eigen::VectorXd::Zero(Forces * program.points());
     result.mechanism = Eigen::VectorXd::Zero(Rows * program.bodies);
 
@@ -105,9 +103,7 @@ LimitAnalysis completedAnalysis(const ConeProgram<Rows, Forces>& program, const 
         if (!isCarried)
         {
             resting = solveInteriorPoint(dead, settings, &kept);
-            result.iterations += resting.iterations;
-            result.factorisations += resting.factorisations;
-            result.solves += resting.solves;
+            addWork(result, resting);
             if ((resting.status == SolveStatus::infeasible && unstable(resting.displacement))
                 || (answered && resting.status == SolveStatus::notConverged))
             {
@@ -166,11 +162,11 @@ template LimitAnalysis solveLimitAnalysis(const PlaneConeProgram& program,
 template LimitAnalysis solveLimitAnalysis(const SpaceConeProgram& program,
                                           const InteriorPointSettings& settings, SymbolicAnalysis* kept);
 template std::optional<MultiplierRange> multipliersThatHold(const PlaneConeProgram& program,
-                                                           const InteriorPointSettings& settings,
-                                                           SymbolicAnalysis& kept);
+                                                            const InteriorPointSettings& settings,
+                                                            SymbolicAnalysis& kept);
 template std::optional<MultiplierRange> multipliersThatHold(const SpaceConeProgram& program,
-                                                           const InteriorPointSettings& settings,
-                                                           SymbolicAnalysis& kept);
+                                                            const InteriorPointSettings& settings,
+                                                            SymbolicAnalysis& kept);
 template LimitAnalysis completedAnalysis(const PlaneConeProgram& program, const ConeSolution& solution,
                                          const InteriorPointSettings& settings, SymbolicAnalysis& kept);
 template LimitAnalysis completedAnalysis(const SpaceConeProgram& program, const ConeSolution& solution,

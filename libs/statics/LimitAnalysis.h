@@ -61,7 +61,7 @@ struct MultiplierRange
     double largest = 0;
 };
 
-struct LimitAnalysis
+struct LimitAnalysis : SolverWork
 {
     CollapseStatus status = CollapseStatus::notConverged;
     double alpha = 0; ///< collapse load multiplier, for `optimal`, or a bound on it, for `upperBound`; of a
@@ -71,14 +71,11 @@ struct LimitAnalysis
     Eigen::VectorXd mechanism;    ///< (ux uy rz), in space (ux uy uz rx ry rz), of each free block, largest
                                   ///< entry 1, but of a settlement for a unit movement; zero for `unbounded`
     Certificate certificate;      ///< of what the status claims
-    int iterations = 0;           ///< of the solver, all programs together
-    int factorisations = 0;       ///< likewise, of Schur matrices
-    int solves = 0;               ///< likewise, with those factors
     int variables = 0;            ///< forces and the multiplier
     /// Of each free block, where those that were not provably stay at rest (ReachedPart.h); empty: all were.
     std::vector<char> isSimulated;
-    /// For `unstable`, where the live load holds the structure up: the multipliers with which it stands by the
-    /// associative law, all of one sign.
+    /// For `unstable`, where the live load holds the structure up: the multipliers with which it stands by
+    /// the associative law, all of one sign.
     std::optional<MultiplierRange> held;
     std::string combination; ///< of loads that this is the answer for; empty where there is one only
     int position = -1;       ///< of a moving load, index into CaseLoads::positions; -1: it does not move

@@ -35,9 +35,7 @@ double safeMultiplier(const ConeProgram<Rows, Forces>& program, const InteriorPo
         strength.cohesion = std::max(0.0, strength.cohesion - program.friction[point] * strength.tension);
     }
     const LimitAnalysis analysis = solveLimitAnalysis(smooth, solver);
-    effort.iterations += analysis.iterations;
-    effort.factorisations += analysis.factorisations;
-    effort.solves += analysis.solves;
+    addWork(effort, analysis);
     return analysis.status == CollapseStatus::optimal     ? analysis.alpha
            : analysis.status == CollapseStatus::unbounded ? std::numeric_limits<double>::infinity()
                                                           : -std::numeric_limits<double>::infinity();

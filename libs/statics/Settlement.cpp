@@ -129,9 +129,7 @@ LimitAnalysis solveSettlement(const ConeProgram<Rows, Forces>& program, const In
     ConeSolution solution = solveInteriorPoint(program, settings, &symbolic);
     LimitAnalysis result;
     result.variables = Forces * program.points();
-    result.iterations = solution.iterations;
-    result.factorisations = solution.factorisations;
-    result.solves = solution.solves;
+    addWork(result, solution);
     result.contactForce = Eigen::VectorXd::Zero(Forces * program.points());
     if (solution.status != SolveStatus::optimal)
     {
@@ -139,9 +137,7 @@ LimitAnalysis solveSettlement(const ConeProgram<Rows, Forces>& program, const In
         ConeProgram<Rows, Forces> dead = program;
         dead.gap.resize(0);
         const ConeSolution standing = solveInteriorPoint(dead, settings, &symbolic);
-        result.iterations += standing.iterations;
-        result.factorisations += standing.factorisations;
-        result.solves += standing.solves;
+        addWork(result, standing);
         if (standing.status == SolveStatus::infeasible)
         {
             result.status = CollapseStatus::unstable;
@@ -152,9 +148,7 @@ LimitAnalysis solveSettlement(const ConeProgram<Rows, Forces>& program, const In
         // Is the support locked in, so that it can be pushed against its neighbours with any force?
         const ConeProgram<Rows, Forces> guided = withGuidedSupport(program);
         const ConeSolution pushed = solveInteriorPoint(guided, settings);
-        result.iterations += pushed.iterations;
-        result.factorisations += pushed.factorisations;
-        result.solves += pushed.solves;
+        addWork(result, pushed);
         if (pushed.status == SolveStatus::unbounded)
         {
             result.status = CollapseStatus::unbounded;

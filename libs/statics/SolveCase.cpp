@@ -214,9 +214,7 @@ std::vector<LimitAnalysis> solveWithMorePoints(LimitAnalysisCase<Dim>& structure
         results = solve(structure, kept);
         for (std::size_t i = 0; i < results.size(); ++i)
         {
-            results[i].iterations += before[i].iterations;
-            results[i].factorisations += before[i].factorisations;
-            results[i].solves += before[i].solves;
+            addWork(results[i], before[i]);
             if (Dim == 2 && round == mostRounds)
             {
                 results[i].status = CollapseStatus::notConverged;

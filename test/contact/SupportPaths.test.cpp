@@ -67,8 +67,8 @@ TEST(SupportPaths, SayWhereABlockThatIsHeldStandsOnACornerToo)
 TEST(SupportPaths, FindACornerThatStandsWithoutAJointWhetherTheStructureStandsOrNot)
 {
     // A beam whose middle stands on a block, and its end on the tip of a triangle too.
-    const Assembly<2> standing = onGround({box(0, 0, 1, 1), {{{1.2, 0}, {1.8, 0}, {1.5, 1}}, 1, -1},
-                                           box(-1, 1, 2, 1.5)});
+    const Assembly<2> standing =
+        onGround({box(0, 0, 1, 1), {{{1.2, 0}, {1.8, 0}, {1.5, 1}}, 1, -1}, box(-1, 1, 2, 1.5)});
     EXPECT_THAT(touchWithoutJoint(standing, findContactPoints(standing)),
                 HasSubstr("block 2 touches block 3 at a corner only: a joint needs a face"));
     const Assembly<2> wall = onGround({box(0, 0, 1, 1), box(1, 0, 2, 1), box(0.5, 1, 1.5, 2)});

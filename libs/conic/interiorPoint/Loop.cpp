@@ -168,7 +168,7 @@ bool InteriorPointLoop<Rows, Scalar>::iterate(const Centring& centring, Passed w
     primal = dual = 0;
     LongSolution longSolution;
     std::optional<Ending> ended;
-    for (iteration = 0; !(ended = findEnd(whatIsPassed, mostIterations)); ++iteration)
+    for (iteration = 0; !(ended = findEnd(whatIsPassed, mostIterations)); ++iteration, ++iterationsOfAllRuns)
     {
         keepBalance();
         {

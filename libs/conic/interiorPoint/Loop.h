@@ -40,7 +40,7 @@ public:
     /// An iterate well inside the cones that was passed on the way, or with empty vectors where none was.
     const Iterate<Scalar>& interior() const { return passed; }
 
-    int iterations() const { return iteration; } ///< of the last run
+    int iterations() const { return iterationsOfAllRuns; }
     int factorisations() const { return newton.factorisations; }
     int solves() const { return newton.solves; }
 
@@ -78,7 +78,8 @@ private:
     double expected = 0; ///< to be missing from the balance at most
     int stalls = 0;      ///< full steps that left the balance as it was
     int standstills = 0; ///< steps in a row that hardly moved
-    int iteration = 0;
+    int iteration = 0;   ///< of the run in hand
+    int iterationsOfAllRuns = 0;
     Ending end = Ending::tooManyIterations;
     IterationTrace* trace;
 };

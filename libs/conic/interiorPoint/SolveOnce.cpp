@@ -92,7 +92,6 @@ ConeSolution solveOnce(const ConeProgram<Rows, Forces>& program, const InteriorP
     }
     InteriorPointLoop<Rows> loop(form, system, settings, aim.sought);
     bool converged = false;
-    int before = 0; // iterations of starts that failed
     if (near)
     {
         const double error = certifyOptimal(program, *near).worst();
@@ -100,12 +99,10 @@ ConeSolution solveOnce(const ConeProgram<Rows, Forces>& program, const InteriorP
         if (error <= nearEnough)
         {
             converged = loop.runNear(conesOf(program, form, near->contactForce), heading, error);
-            before += converged ? 0 : loop.iterations();
         }
         if (!converged && near->interior.contactForce.size() == Forces * program.points())
         {
             converged = loop.runInside(interiorIterate(program, form, near->interior), heading);
-            before += converged ? 0 : loop.iterations();
         }
     }
     // The least forces of a time step say little, as they leave inertia out: unit forces come first there.
@@ -130,7 +127,6 @@ ConeSolution solveOnce(const ConeProgram<Rows, Forces>& program, const InteriorP
     {
         solution.interior = interiorStart(program, form, loop.interior(), end);
     }
-    solution.iterations += before;
     return solution;
 }
 

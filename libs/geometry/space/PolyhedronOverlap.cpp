@@ -48,8 +48,8 @@ std::vector<Vector<3>> edgeDirections(const Polyhedron& polyhedron)
     for (const EdgeLine& edge : edgesOf(polyhedron))
     {
         const Vector<3> direction = edge.along.normalized();
-        if (std::none_of(directions.begin(), directions.end(), [&](const Vector<3>& known)
-                         { return std::abs(known.dot(direction)) > 1 - 1e-12; }))
+        if (std::none_of(directions.begin(), directions.end(),
+                         [&](const Vector<3>& known) { return std::abs(known.dot(direction)) > 1 - 1e-12; }))
         {
             directions.push_back(direction);
         }
