@@ -224,9 +224,10 @@ std::vector<Eigen::Matrix<double, Rows, Rows>> readInertia(const Dictionary& dic
     const Entry& inertia = dictionary.lookup("inertia");
     const auto blocks = readList<std::vector<double>>(dictionary, "inertia", static_cast<std::size_t>(bodies),
                                                       "one for each body");
+    const std::vector<SourceLocation> places = placesOf(inertia);
     for (std::size_t body = 0; body < blocks.size(); ++body)
     {
-        const SourceLocation place = placeOf(inertia, body);
+        const SourceLocation place = body < places.size() ? places[body] : inertia.location();
         const auto block = matrixOf<Rows, Rows>(blocks[body], fmt::format("inertia of body {}", body), place);
         const double asymmetry = (block - block.transpose()).cwiseAbs().maxCoeff();
         if (asymmetry > 1e-12 * block.cwiseAbs().maxCoeff() || block.llt().info() != Eigen::Success)

@@ -7,6 +7,7 @@
 #include <metis.h>
 
 #include <algorithm>
+#include <mutex>
 #include <numeric>
 #include <stdexcept>
 #include <type_traits>
@@ -16,9 +17,8 @@ namespace drystone
 namespace
 {
 
-/// Bodies from which the order is by nested dissection instead of minimum degree. Measured on walls as in
-/// SchurSystem.cpp: 3.7 against 4.3 ms at 1,620 blocks and 37 against 39 ms at 6,440 are within the noise of
-/// F, the whole solution at 6,440 takes 3.3 s with minimum degree and 2.9 s with dissection.
+/// Bodies from which the order is by nested dissection instead of minimum degree: below it factors cost the
+/// same, above it those of dissection cost less (test/benchmark/results/TUNING.md).
 constexpr int dissectionBodies = 3000;
 
 /// Neighbours of each body, ascending, without itself: those of body b are in neighbour[start[b]] to
@@ -69,6 +69,10 @@ std::vector<int> nestedDissection(Graph& graph, int bodies)
     static_assert(std::is_same_v<idx_t, int>);
     std::vector<int> order(bodies);
     std::vector<int> place(bodies);
+    // METIS draws numbers from the process's rand(), which it seeds: a thread at a time, or orders would depend
+    // on what others draw.
+    static std::mutex drawing;
+    const std::lock_guard lock(drawing);
     if (METIS_NodeND(&bodies, graph.start.data(), graph.neighbour.data(), nullptr, nullptr, order.data(),
                      place.data())
         != METIS_OK)
