@@ -68,6 +68,40 @@ std::vector<Vector<2>> corners(const DynamicCase<2>& scene)
     return result;
 }
 
+/// The smallest mu that carries a load, or the part of it that can be carried with any mu. \param known a
+/// demand that another load has, below which it is not sought [-] \return not a number where it is unknown
+double frictionDemand(Statics& statics, const Eigen::VectorXd& load, double known)
+{
+    double unlimited = std::numeric_limits<double>::quiet_NaN();
+    double enough = 0;
+    for (std::size_t i = 0; i < unlimitedFrictions.size() && std::isnan(unlimited); ++i)
+    {
+        enough = unlimitedFrictions[i];
+        unlimited = statics.capacity(load, enough);
+    }
+    if (unlimited == 0) // no friction keeps the blocks at rest
+    {
+        return known;
+    }
+    if (std::isnan(unlimited))
+    {
+        return unlimited;
+    }
+    const double share = std::min(1.0, unlimited) * (1 - 1e-6);
+    const auto suffices = [&](double mu) { return statics.capacity(load, mu) >= share; };
+    double demand = std::max(known, leastFriction);
+    if (suffices(demand))
+    {
+        return demand == leastFriction ? 0 : demand;
+    }
+    while (enough > demand * (1 + demandTolerance))
+    {
+        const double middle = std::sqrt(demand * enough);
+        (suffices(middle) ? enough : demand) = middle;
+    }
+    return enough;
+}
+
 bool isAtRest(const DynamicState<2>& state)
 {
     const auto isMoved = [](const Placement<2>& placement)
@@ -163,36 +197,11 @@ EffectAdvice adviseEffects(const DynamicCase<2>& scene, const DynamicState<2>& s
         }
         advice.peak = std::max(advice.peak, std::isinf(advice.capacity) ? corner.norm() : 0.0);
 
-        double unlimited = std::numeric_limits<double>::quiet_NaN();
-        double enough = 0;
-        for (std::size_t i = 0; i < unlimitedFrictions.size() && std::isnan(unlimited); ++i)
+        advice.frictionDemand = frictionDemand(statics, load, advice.frictionDemand);
+        if (std::isnan(advice.frictionDemand))
         {
-            enough = unlimitedFrictions[i];
-            unlimited = statics.capacity(load, enough);
-        }
-        if (unlimited == 0) // no friction keeps the blocks at rest
-        {
-            continue;
-        }
-        if (std::isnan(unlimited))
-        {
-            advice.frictionDemand = unlimited;
             break;
         }
-        const double share = std::min(1.0, unlimited) * (1 - 1e-6);
-        const auto suffices = [&](double mu) { return statics.capacity(load, mu) >= share; };
-        double demand = std::max(advice.frictionDemand, leastFriction);
-        if (suffices(demand))
-        {
-            advice.frictionDemand = demand == leastFriction ? 0 : demand;
-            continue;
-        }
-        while (enough > demand * (1 + demandTolerance))
-        {
-            const double middle = std::sqrt(demand * enough);
-            (suffices(middle) ? enough : demand) = middle;
-        }
-        advice.frictionDemand = enough;
     }
     if (std::isnan(advice.capacity))
     {
