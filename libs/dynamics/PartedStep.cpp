@@ -133,25 +133,45 @@ double nextLength(const TriedPart& last, const std::optional<TriedPart>& before,
     return meeting - std::min(partOfChange * (last.meets - meeting), partOfTolerance * tolerance);
 }
 
+/// Which impacts part a step at first. They are distinguished from the start of a step, and from each other,
+/// by a part of it: velocities are right to the tolerance of the solver, and so are instants after a flight
+/// of some thousand steps. Distinguished more finely, corners that meet together would meet one after the
+/// other, and a block that bounces flat would begin to rock.
+template<int Dim>
+ImpactChoice impactsOf(const DynamicCase<Dim>& scene, double timeStep)
+{
+    constexpr double leastTolerance = 1e-3;
+    constexpr double stepsOfFlight = 1e4;
+    constexpr double shortestFlight = 0.1; // bounces that grow shorter for ever end with it
+    const double tolerance = std::max(leastTolerance, stepsOfFlight * scene.solution.tolerance);
+    const bool isLocated = scene.schemes.impacts == ImpactInstant::located && tolerance < 1;
+    return {isLocated ? ImpactInstant::located : ImpactInstant::stepStart, tolerance * timeStep,
+            isLocated ? shortestFlight * timeStep : 0, timeStep};
+}
+
+/// Takes all parts back, but for the work that they took. Copied, so that the motion's lists stay where they
+/// are: observers may hold on to them.
+template<int Dim>
+void takeBack(Motion<Dim>& motion, const Motion<Dim>& before)
+{
+    const StepWork work = motion.work;
+    const StageTimes stageTimes = motion.stageTimes;
+    motion = before;
+    motion.work = work;
+    motion.stageTimes = stageTimes;
+    motion.work.beginAttempt();
+}
+
 template<int Dim>
 bool takeParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep)
 {
     motion.work.beginAttempt();
-    // Impacts are distinguished from the start of a step, and from each other, by this part of it. Attempts
-    // at parts of a step are limited, so that bounces which grow shorter for ever, or blocks that hit each
-    // other from all sides, do not part it without an end. Velocities are right to the tolerance of the
-    // solver, and so are instants after a flight of some thousand steps: distinguished more finely, corners
-    // that meet together would meet one after the other, and a block that bounces flat would begin to rock.
-    constexpr double leastTolerance = 1e-3;
-    constexpr double stepsOfFlight = 1e4;
-    const double tolerance = std::max(leastTolerance, stepsOfFlight * scene.solution.tolerance);
-    constexpr double shortestFlight = 0.1; // bounces that grow shorter for ever end with it
+    // Attempts are limited, so that bounces which grow shorter for ever, or blocks that hit each other from
+    // all sides, do not part a step without an end.
     constexpr int mostAttempts = 8;
     constexpr double mostWork = 0.1; // of what a step may take, before it is no longer parted
     const double start = motion.state.time;
-    const bool isLocated = scene.schemes.impacts == ImpactInstant::located && tolerance < 1;
-    ImpactChoice impacts{isLocated ? ImpactInstant::located : ImpactInstant::stepStart, tolerance * timeStep,
-                         isLocated ? shortestFlight * timeStep : 0, timeStep};
+    ImpactChoice impacts = impactsOf(scene, timeStep);
     std::optional<Motion<Dim>> before; // where the step is parted
     PartedStep<Dim> parts;
     AttemptForces<Dim> attemptForces;
@@ -167,12 +187,7 @@ bool takeParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeSt
         if (part == 0 && before)
         {
             // A part may be too short for the tolerance of the solver: then the step as a whole.
-            const StepWork work = motion.work;
-            const StageTimes stageTimes = motion.stageTimes;
-            motion = *before; // copied, so that its lists stay where they are: observers may hold on to them
-            motion.work = work;
-            motion.stageTimes = stageTimes;
-            motion.work.beginAttempt();
+            takeBack(motion, *before);
             return advanceUnparted(scene, motion, timeStep, {.isOfAllBlocks = true}) == 1;
         }
         if (part == 0)
@@ -206,7 +221,7 @@ bool takeParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeSt
         const TriedPart last{length, part * length};
         // What is left of the step is not shorter than what counts as its start.
         length = std::min(nextLength(last, tried, scene.schemes.timeIntegration.theta, impacts.tolerance),
-                          left - tolerance * timeStep);
+                          left - impacts.tolerance);
         tried = last;
         if (length <= 0)
         {

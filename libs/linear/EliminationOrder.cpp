@@ -69,8 +69,8 @@ std::vector<int> nestedDissection(Graph& graph, int bodies)
     static_assert(std::is_same_v<idx_t, int>);
     std::vector<int> order(bodies);
     std::vector<int> place(bodies);
-    // METIS draws numbers from the process's rand(), which it seeds: a thread at a time, or orders would depend
-    // on what others draw.
+    // METIS draws numbers from the process's rand(), which it seeds: a thread at a time, or orders would
+    // depend on what others draw.
     static std::mutex drawing;
     const std::lock_guard lock(drawing);
     if (METIS_NodeND(&bodies, graph.start.data(), graph.neighbour.data(), nullptr, nullptr, order.data(),

@@ -24,12 +24,19 @@ constexpr double shareOfTask = 1.0 / 24;
 
 constexpr int none = -1;
 
-} // namespace
+/// Which fronts are factored together.
+struct DividedTree
+{
+    std::vector<double> ofSubtree; ///< operations of each front and all below it
+    std::vector<int> divided; ///< root of the divided subtree that each front belongs to; none: above them
+    std::vector<int> task;    ///< root of the task that each front belongs to; none: above them
+};
 
-FrontSchedule scheduleFronts(const std::vector<int>& parent, const std::vector<double>& operations)
+DividedTree divideTree(const std::vector<int>& parent, const std::vector<double>& operations)
 {
     const int fronts = static_cast<int>(parent.size());
-    std::vector<double> ofSubtree = operations;
+    DividedTree tree{operations, std::vector<int>(fronts, none), std::vector<int>(fronts, none)};
+    auto& [ofSubtree, divided, task] = tree;
     for (int front = 0; front < fronts; ++front)
     {
         if (parent[front] != none)
@@ -37,9 +44,7 @@ FrontSchedule scheduleFronts(const std::vector<int>& parent, const std::vector<d
             ofSubtree[parent[front]] += ofSubtree[front];
         }
     }
-    // From the roots down: the root of the divided subtree that each front belongs to, and of its task.
-    std::vector<int> divided(fronts, none);
-    std::vector<int> task(fronts, none);
+    // From the roots down.
     for (int front = fronts; front-- > 0;)
     {
         const int above = parent[front];
@@ -61,58 +66,75 @@ FrontSchedule scheduleFronts(const std::vector<int>& parent, const std::vector<d
             }
         }
     }
+    return tree;
+}
 
-    std::vector<std::vector<int>> ofTask(fronts);  // by its root
-    std::vector<std::vector<int>> tasksOf(fronts); // by the root of the divided subtree
-    for (int front = 0; front < fronts; ++front)
-    {
-        if (task[front] != none)
-        {
-            ofTask[task[front]].push_back(front);
-            if (task[front] == front)
-            {
-                tasksOf[divided[front]].push_back(front);
-            }
-        }
-    }
-
+/// Subtrees in the order in which they are reached, cut into batches where a front above them is next.
+struct Batches
+{
     FrontSchedule schedule;
     int begun = 0;
-    double ofBatch = 0;
-    const auto add = [&](int root)
+    double operations = 0; ///< of the batch in hand
+
+    void add(std::vector<int> subtree, double ofSubtree)
     {
-        for (const int each : tasksOf[root])
-        {
-            schedule.subtrees.push_back(std::move(ofTask[each]));
-            ofBatch += ofSubtree[each];
-        }
-        tasksOf[root].clear();
-    };
-    const auto close = [&]
+        schedule.subtrees.push_back(std::move(subtree));
+        operations += ofSubtree;
+    }
+
+    void close()
     {
         const int end = static_cast<int>(schedule.subtrees.size());
         if (end > begun)
         {
-            schedule.steps.push_back({begun, end, none, ofBatch > serialOperations});
+            schedule.steps.push_back({begun, end, none, operations > serialOperations});
             begun = end;
-            ofBatch = 0;
+            operations = 0;
         }
-    };
+    }
+};
+
+} // namespace
+
+FrontSchedule scheduleFronts(const std::vector<int>& parent, const std::vector<double>& operations)
+{
+    const DividedTree tree = divideTree(parent, operations);
+    const int fronts = static_cast<int>(parent.size());
+    std::vector<std::vector<int>> ofTask(fronts);  // by its root
+    std::vector<std::vector<int>> tasksOf(fronts); // by the root of the divided subtree
+    for (int front = 0; front < fronts; ++front)
+    {
+        if (tree.task[front] != none)
+        {
+            ofTask[tree.task[front]].push_back(front);
+            if (tree.task[front] == front)
+            {
+                tasksOf[tree.divided[front]].push_back(front);
+            }
+        }
+    }
+
+    Batches batches;
     for (int front = 0; front < fronts; ++front)
     {
         // What is divided goes with its first front; what is too small for that waits for others.
-        if (divided[front] != none)
+        if (tree.divided[front] != none)
         {
-            add(divided[front]);
+            std::vector<int>& tasks = tasksOf[tree.divided[front]];
+            for (const int root : tasks)
+            {
+                batches.add(std::move(ofTask[root]), tree.ofSubtree[root]);
+            }
+            tasks.clear();
         }
-        if (task[front] == none)
+        if (tree.task[front] == none)
         {
-            close();
-            schedule.steps.push_back({0, 0, front, operations[front] > serialFront});
+            batches.close();
+            batches.schedule.steps.push_back({0, 0, front, operations[front] > serialFront});
         }
     }
-    close();
-    return schedule;
+    batches.close();
+    return std::move(batches.schedule);
 }
 
 } // namespace drystone

@@ -65,9 +65,10 @@ void verifyAnswer(const LimitAnalysisCase<Dim>& structure, const InteriorPointSe
     const LimitAnalysis all = solveLimitAnalysis(structure.program, solver, &kept.symbolic);
     if (all.status == CollapseStatus::notConverged)
     {
-        printWarning(fmt::format("The multiplier {:.9g}, found with {} of {} blocks, is not verified: with all "
-                                 "of them the solver did not reach its tolerance.",
-                                 answer.alpha, simulatedBlocks(answer), structure.freeBlocks));
+        printWarning(
+            fmt::format("The multiplier {:.9g}, found with {} of {} blocks, is not verified: with all "
+                        "of them the solver did not reach its tolerance.",
+                        answer.alpha, simulatedBlocks(answer), structure.freeBlocks));
         return;
     }
     const double difference = all.status == CollapseStatus::optimal ? std::abs(answer.alpha - all.alpha)

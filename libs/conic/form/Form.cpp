@@ -249,6 +249,81 @@ void setNumbers(Form<Rows>& form, const ConeProgram<Rows, Forces>& program, doub
     form.gap = conesOfOpening(form, program.gap);
 }
 
+/// Puts the bodies into the order of elimination.
+template<int Rows, int Forces>
+void placeBodies(Form<Rows>& form, const ConeProgram<Rows, Forces>& program, const SymbolicAnalysis& symbolic)
+{
+    form.couplings = symbolic.touching;
+    form.position.assign(program.bodies, 0);
+    for (int place = 0; place < program.bodies; ++place)
+    {
+        form.position[symbolic.order[place]] = place;
+    }
+    for (Coupling& pair : form.couplings)
+    {
+        pair = {form.position[pair[0]], form.position[pair[1]]};
+    }
+}
+
+template<int Rows, int Forces>
+void reserve(Form<Rows>& form, const ConeProgram<Rows, Forces>& program)
+{
+    form.firstRay.reserve(program.contacts.size() + 1);
+    form.firstRound.reserve(program.contacts.size() + 1);
+    form.groups.reserve(form.couplings.size());
+    if constexpr (Forces == 2) // friction alone gives each point two rays, in space a round cone
+    {
+        form.rays.reserve(2 * program.contacts.size());
+        form.directions.reserve(2 * program.contacts.size());
+    }
+    else
+    {
+        form.rounds.reserve(program.contacts.size());
+        form.roundScales.reserve(program.contacts.size());
+    }
+}
+
+/// Opens a group where a point is not between the bodies of the last one. \param first, second places in the
+/// order, first below second
+template<int Rows>
+void beginPoint(Form<Rows>& form, int first, int second)
+{
+    const int ray = static_cast<int>(form.rays.size());
+    const int round = static_cast<int>(form.rounds.size());
+    if (form.groups.empty() || form.groups.back().first != first || form.groups.back().second != second)
+    {
+        form.groups.push_back({first, second, ray, ray, -1, round, round});
+    }
+    form.firstRay.push_back(ray);
+    form.firstRound.push_back(round);
+}
+
+/// Adds the columns of a point's cones to its group.
+template<int Rows, int Forces>
+void addCones(Form<Rows>& form, const ConeColumns<Rows, Forces>& columns, const PointCones<Forces>& cones,
+              Bodies bodies)
+{
+    for (int ray = 0; ray < cones.rays; ++ray)
+    {
+        form.directions.push_back(cones.ray[ray]);
+        form.rays.push_back(makeColumn(columns, cones.ray[ray], form.scaling.lever, bodies));
+    }
+    for (int round = 0; round < cones.rounds; ++round)
+    {
+        form.roundScales.push_back(cones.round[round]);
+        typename Form<Rows>::RoundColumns made;
+        for (int component = 0; component < Forces; ++component)
+        {
+            const Eigen::Matrix<double, Forces, 1> direction =
+                cones.round[round][component] * Eigen::Matrix<double, Forces, 1>::Unit(component);
+            made.col(component) = makeColumn(columns, direction, form.scaling.lever, bodies);
+        }
+        form.rounds.push_back(made);
+    }
+    form.groups.back().end = static_cast<int>(form.rays.size());
+    form.groups.back().endRound = static_cast<int>(form.rounds.size());
+}
+
 } // namespace
 
 template<int Rows, int Forces>
@@ -272,30 +347,8 @@ Form<Rows> makeForm(const ConeProgram<Rows, Forces>& program, SymbolicAnalysis& 
     form.bodies = program.bodies;
     form.scaling.lever = powerOfTwo(meanLeverArm(program));
     analyse(program, symbolic);
-    form.couplings = symbolic.touching;
-    form.position.assign(program.bodies, 0);
-    for (int place = 0; place < program.bodies; ++place)
-    {
-        form.position[symbolic.order[place]] = place;
-    }
-    for (Coupling& pair : form.couplings)
-    {
-        pair = {form.position[pair[0]], form.position[pair[1]]};
-    }
-
-    form.firstRay.reserve(program.contacts.size() + 1);
-    form.firstRound.reserve(program.contacts.size() + 1);
-    form.groups.reserve(form.couplings.size());
-    if constexpr (Forces == 2) // friction alone gives each point two rays, in space a round cone
-    {
-        form.rays.reserve(2 * program.contacts.size());
-        form.directions.reserve(2 * program.contacts.size());
-    }
-    else
-    {
-        form.rounds.reserve(program.contacts.size());
-        form.roundScales.reserve(program.contacts.size());
-    }
+    placeBodies(form, program, symbolic);
+    reserve(form, program);
     PointCones<Forces> cones;
     for (int point = 0; point < program.points(); ++point)
     {
@@ -306,40 +359,12 @@ Form<Rows> makeForm(const ConeProgram<Rows, Forces>& program, SymbolicAnalysis& 
         }
         const int one = columns.first < 0 ? form.bodies : form.position[columns.first];
         const int other = columns.second < 0 ? form.bodies : form.position[columns.second];
-        const int first = std::min(one, other);
-        const int second = std::max(one, other);
-        if (form.groups.empty() || form.groups.back().first != first || form.groups.back().second != second)
-        {
-            const int ray = static_cast<int>(form.rays.size());
-            const int round = static_cast<int>(form.rounds.size());
-            form.groups.push_back({first, second, ray, ray, -1, round, round});
-        }
-        form.firstRay.push_back(static_cast<int>(form.rays.size()));
-        form.firstRound.push_back(static_cast<int>(form.rounds.size()));
+        beginPoint(form, std::min(one, other), std::max(one, other));
         if (point == 0 || program.hasStrength() || program.friction[point] != program.friction[point - 1])
         {
             cones = pointCones(program, point);
         }
-        const Bodies bodies = one < other ? Bodies::asGiven : Bodies::exchanged;
-        for (int ray = 0; ray < cones.rays; ++ray)
-        {
-            form.directions.push_back(cones.ray[ray]);
-            form.rays.push_back(makeColumn(columns, cones.ray[ray], form.scaling.lever, bodies));
-        }
-        for (int round = 0; round < cones.rounds; ++round)
-        {
-            form.roundScales.push_back(cones.round[round]);
-            typename Form<Rows>::RoundColumns made;
-            for (int component = 0; component < Forces; ++component)
-            {
-                const Eigen::Matrix<double, Forces, 1> direction =
-                    cones.round[round][component] * Eigen::Matrix<double, Forces, 1>::Unit(component);
-                made.col(component) = makeColumn(columns, direction, form.scaling.lever, bodies);
-            }
-            form.rounds.push_back(made);
-        }
-        form.groups.back().end = static_cast<int>(form.rays.size());
-        form.groups.back().endRound = static_cast<int>(form.rounds.size());
+        addCones(form, columns, cones, one < other ? Bodies::asGiven : Bodies::exchanged);
         if (program.hasStrength())
         {
             addLimits(form, program, point, cones);
