@@ -108,6 +108,35 @@ class FirstDay(CaseTest):
         self.assertRegex(said, r"(?m)^Live load: \S+ k?N along \(1 0\); at collapse \S+ k?N, 0\.6429 of the dead load$")
         self.assertIn("mechanism.svg", said)
 
+    @staticmethod
+    def polygons(*outlines):
+        """A texture of blocks, the first of which is fixed."""
+        blocks = " ".join("(" + " ".join(f"({x} {y})" for x, y in outline) + ")" for outline in outlines)
+        return (header % "blockTextureDict" + f"dimensions 2; texture {{ type polygons; thickness 1; blocks ( {blocks} ); }} "
+                "supports { ground { type blocks; blocks (0); } }")
+
+    # It had one multiplier for a limit analysis, and stood under twice as much in motion, without a word.
+    def testACornerThatStandsOnAFaceWithoutAJointIsWarnedOf(self):
+        ground, pier = [(-5, -1), (5, -1), (5, 0), (-5, 0)], [(0, 0), (1, 0), (1, 1), (0, 1)]
+        tip, beam = [(1.2, 0), (1.8, 0), (1.5, 1)], [(-1, 1), (2, 1), (2, 1.5), (-1, 1.5)]
+        case = self.case("limitAnalysis/masonryPanels/wall1", files={
+            "system/blockTextureDict": self.polygons(ground, pier, tip, beam)})
+        done = self.runApplication("limitAnalysis", case)
+        self.assertRegex(done.stdout, "(?m)^Status: optimal$")
+        self.assertIn("no force where block 3 touches block 2 at a corner only", " ".join(done.stderr.split()))
+        scene = self.case("contactDynamics/slidingBlock/basePulse", files={
+            "system/blockTextureDict": self.polygons(ground, pier, tip, beam)})
+        self.assertIn("none: they know joints only, and block 3 touches block 2 at a corner only",
+                      self.call("contactDynamics", scene, "-dry-run"))
+
+    # The answer was `unstable` alone, as of a structure that nothing holds up.
+    def testALoadThatHoldsAStructureUpHasARangeOfMultipliers(self):
+        case = self.case("limitAnalysis/masonryPanels/wall1", files={
+            "constant/loads": header % "loads" + "dead { type inertial; direction (1 0 0); } live { type gravity; }"})
+        said = self.call("limitAnalysis", case)
+        self.assertRegex(said, "(?m)^Status: unstable")
+        self.assertRegex(said, r"(?m)^The live load holds the blocks up: they stand for alpha from 1\.5555\d\d to inf$")
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])
