@@ -124,6 +124,16 @@ std::string touchWithoutJoint(const Assembly<Dim>& assembly, const std::vector<C
 }
 
 template<int Dim>
+std::string missingForceText(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points)
+{
+    const std::string touching = touchWithoutJoint(assembly, points);
+    return touching.empty() ? ""
+                            : fmt::format("Limit analysis has no force where {}. In motion it would press "
+                                          "there; `checkBlocks -allChecks` lists such places.",
+                                          touching);
+}
+
+template<int Dim>
 std::string instabilityCause(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points)
 {
     if (std::all_of(assembly.blocks.begin(), assembly.blocks.end(),
@@ -164,6 +174,10 @@ template std::string touchWithoutJoint(const Assembly<2>& assembly,
                                        const std::vector<ContactPoint<2>>& points);
 template std::string touchWithoutJoint(const Assembly<3>& assembly,
                                        const std::vector<ContactPoint<3>>& points);
+template std::string missingForceText(const Assembly<2>& assembly,
+                                      const std::vector<ContactPoint<2>>& points);
+template std::string missingForceText(const Assembly<3>& assembly,
+                                      const std::vector<ContactPoint<3>>& points);
 template std::string instabilityCause(const Assembly<2>& assembly,
                                       const std::vector<ContactPoint<2>>& points);
 template std::string instabilityCause(const Assembly<3>& assembly,

@@ -22,6 +22,10 @@ std::vector<int> blocksWithoutSupport(const Assembly<Dim>& assembly,
 template<int Dim>
 std::string touchWithoutJoint(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points);
 
+/// The same as a warning of an analysis of the structure as built; empty where no blocks touch so.
+template<int Dim>
+std::string missingForceText(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points);
+
 /// What is known, from the joints alone, of why a structure cannot stand: no block is fixed, or some have no
 /// path to a support through joints, those among them named that touch others at corners only, or all have
 /// one and some stand on others on a corner or an edge too. Lines for the log, each with the repair; empty

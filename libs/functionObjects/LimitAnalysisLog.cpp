@@ -247,12 +247,9 @@ void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
         printLine(sentence);
     }
     printClosure(structure.assembly);
-    if (const std::string touching = touchWithoutJoint(structure.assembly, structure.points);
-        !touching.empty())
+    if (const std::string missing = missingForceText(structure.assembly, structure.points); !missing.empty())
     {
-        printWarning(fmt::format("Limit analysis has no force where {}. In motion it would press there; "
-                                 "`checkBlocks -allChecks` lists such places.",
-                                 touching));
+        printWarning(missing);
     }
     info("Solver: {}, tolerance {:g}", nameOf(structure.solution.solver), structure.solution.tolerance);
     info("{}\n", machineText());

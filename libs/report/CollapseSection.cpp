@@ -2,6 +2,7 @@
 /// What limitAnalysis has found, as its tables have it.
 #include "report/ReportSections.h"
 
+#include "contact/SupportPaths.h"
 #include "core/WholeFile.h"
 #include "functionObjects/Histories.h"
 #include "functionObjects/LimitAnalysisResults.h"
@@ -162,6 +163,14 @@ std::string meaningOfAlpha(const LimitAnalysisCase<Dim>& structure)
         law);
 }
 
+void addIfAny(HtmlPage& page, const std::string& sentence)
+{
+    if (!sentence.empty())
+    {
+        page.paragraph(sentence);
+    }
+}
+
 } // namespace
 
 std::optional<CollapseStatus> storedStatus(double number)
@@ -206,6 +215,10 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory, InputOfResults i
     {
         page.paragraph((answer.combination.empty() ? "" : "Combination " + answer.combination + ": ")
                        + verdict(answer) + ".");
+        if (answer.status == CollapseStatus::unstable && input == InputOfResults::same)
+        {
+            addIfAny(page, instabilityCause(structure.assembly, structure.points));
+        }
         if (isMultiplier(answer) && input == InputOfResults::same)
         {
             for (const std::string& sentence : loadMeaning(structure, answer))
@@ -214,6 +227,7 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory, InputOfResults i
             }
         }
     }
+    addIfAny(page, missingForceText(structure.assembly, structure.points));
     std::vector<std::vector<std::string>> rows;
     for (std::size_t row = 0; row < table.columns.front().size(); ++row)
     {

@@ -121,13 +121,22 @@ class FirstDay(CaseTest):
         tip, beam = [(1.2, 0), (1.8, 0), (1.5, 1)], [(-1, 1), (2, 1), (2, 1.5), (-1, 1.5)]
         case = self.case("limitAnalysis/masonryPanels/wall1", files={
             "system/blockTextureDict": self.polygons(ground, pier, tip, beam)})
-        done = self.runApplication("limitAnalysis", case)
+        done = self.runApplication("limitAnalysis", case, "-report")
         self.assertRegex(done.stdout, "(?m)^Status: optimal$")
-        self.assertIn("no force where block 3 touches block 2 at a corner only", " ".join(done.stderr.split()))
+        said = "no force where block 3 touches block 2 at a corner only"
+        self.assertIn(said, " ".join(done.stderr.split()))
+        self.assertIn(said, self.read(case, "report.html"))
         scene = self.case("contactDynamics/slidingBlock/basePulse", files={
             "system/blockTextureDict": self.polygons(ground, pier, tip, beam)})
         self.assertIn("none: they know joints only, and block 3 touches block 2 at a corner only",
                       self.call("contactDynamics", scene, "-dry-run"))
+
+    def testAReportSaysWhichBlocksNothingHolds(self):
+        ground, floating = [(-5, -1), (5, -1), (5, 0), (-5, 0)], [(0, 1), (1, 1), (1, 2), (0, 2)]
+        case = self.case("limitAnalysis/masonryPanels/wall1", files={
+            "system/blockTextureDict": self.polygons(ground, floating)})
+        self.call("limitAnalysis", case, "-report")
+        self.assertIn("Cause: a block with no path to a support through joints: 1.", self.read(case, "report.html"))
 
     # The answer was `unstable` alone, as of a structure that nothing holds up.
     def testALoadThatHoldsAStructureUpHasARangeOfMultipliers(self):
