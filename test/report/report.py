@@ -21,7 +21,7 @@ drive = """<script>
 addEventListener("load", () => {
     const element = document.querySelector(".viewer"), canvas = element.querySelector("canvas");
     const control = (name) => element.querySelector(`[name=${name}]`);
-    const seen = { ready: element.dataset.ready, pictures: [], readouts: [], shares: [] };
+    const seen = { ready: element.dataset.ready, pictures: [], readouts: [], scales: [], shares: [] };
     // The share of a picture that is not white: what the structure covers.
     const share = () => {
         const flat = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
@@ -35,6 +35,7 @@ addEventListener("load", () => {
     const look = () => {
         seen.pictures.push(canvas.toDataURL());
         seen.readouts.push(element.querySelector(".readout").textContent);
+        seen.scales.push(element.querySelector(".scale:not([hidden])")?.textContent ?? "");
         seen.shares.push(share());
     };
     const set = (name, value) => { control(name).value = value; control(name).dispatchEvent(new Event("input")); };
@@ -230,6 +231,8 @@ statistics { capacity { type distribution; value alpha; } }
         # magnification change the picture, and a click the colour of the block.
         self.assertEqual(seen["pictures"], [0, 1, 0, 3, 4, 5])
         self.assertGreater(min(seen["shares"]), 0.02)
+        self.assertEqual(seen["scales"][:3], ["", "", ""])  # of one colour
+        self.assertRegex(seen["scales"][3], r"^0 +[1-9][0-9.e+-]* m$")
         self.assertIn(f"{momentName} {last}", seen["readouts"][0])
         self.assertIn(f"{momentName} {first}", seen["readouts"][1])
         self.assertRegex(seen["readouts"][5], r"Block \d+: displacement \([-0-9.e ]+\) m, rotation [0-9.e-]+ rad")

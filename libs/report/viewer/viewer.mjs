@@ -9,12 +9,15 @@ const freeColour = new THREE.Color(0xc9805a);
 const fixedColour = new THREE.Color(0xb4b4ad);
 const chosenColour = new THREE.Color(0xf2d024);
 
-// Quantities that blocks can be coloured by: a number of each block in each frame.
+// Quantities that blocks can be coloured by: a number of each block in each frame; and their units.
 const quantities = {
     none: () => 0,
     displacement: (frame, block) => length3(frame.displacement, block),
     rotation: (frame, block) => length3(frame.rotation, block),
 };
+
+const least = 1e-300; // where nothing has moved, nothing is divided by zero
+const units = { displacement: "m", rotation: "rad" };
 
 function length3(values, block) {
     return Math.hypot(values[3 * block], values[3 * block + 1], values[3 * block + 2]);
@@ -25,6 +28,17 @@ function colourOf(share) {
     return share < 0.5
         ? new THREE.Color(0x3b6fb6).lerp(new THREE.Color(0xf2f2f2), 2 * share)
         : new THREE.Color(0xf2f2f2).lerp(new THREE.Color(0xc0392b), 2 * share - 1);
+}
+
+// What the colours mean: from 0 to the largest value of all frames.
+function showScale(scale, quantity, largest) {
+    scale.hidden = quantity === "none";
+    if (!scale.hidden) {
+        const colours = [0, 0.5, 1].map((share) => `#${colourOf(share).getHexString()}`);
+        scale.innerHTML = `0 <span style="display:inline-block;width:8em;height:1em;vertical-align:middle;` +
+            `background:linear-gradient(to right,${colours.join(",")})"></span> `;
+        scale.append(`${largest > least ? largest.toPrecision(3) : 0} ${units[quantity]}`);
+    }
 }
 
 // The faces of a block as triangles about its mass centre, each with its own corners, so that faces are shaded flat.
@@ -59,6 +73,7 @@ function show(motion, element) {
     const canvas = element.querySelector("canvas");
     const control = (name) => element.querySelector(`[name=${name}]`);
     const readout = element.querySelector(".readout");
+    const scale = element.querySelector(".scale");
     const renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
     const scene = new THREE.Scene();
     scene.background = new THREE.Color(0xffffff);
@@ -99,13 +114,14 @@ function show(motion, element) {
     let playing = false;
     const frameIndex = () => Math.round(Number(control("frame").value));
     const largest = Object.fromEntries(Object.entries(quantities).map(([name, value]) => [name,
-        Math.max(1e-300, ...motion.frames.map((frame) => Math.max(0, ...blocks.map((mesh) =>
+        Math.max(least, ...motion.frames.map((frame) => Math.max(0, ...blocks.map((mesh) =>
             mesh.userData.fixed ? 0 : value(frame, mesh.userData.index)))))]));
 
     function draw() {
         const frame = motion.frames[frameIndex()];
         const magnification = Number(control("magnification").value) || 0;
         const quantity = control("quantity").value;
+        showScale(scale, quantity, largest[quantity]);
         for (const mesh of blocks) {
             const { index, centre, fixed } = mesh.userData;
             mesh.visible = frame.displacement[3 * index] !== null;
