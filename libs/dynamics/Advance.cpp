@@ -2,7 +2,6 @@
 /// The time step as a page of verbs, and the retry of steps that are not solved.
 #include "dynamics/Advance.h"
 
-#include "core/Log.h"
 #include "dynamics/CarriedMotion.h"
 #include "dynamics/HeldBlocks.h"
 #include "dynamics/PartedStep.h"
@@ -42,13 +41,13 @@ constexpr double mostGrowth = 1.2;
 /// points of a record, which are distinguished from the end of a step by a part of its length.
 constexpr double mostOverStep = 10;
 
-/// Adds a step to the use of effects. \param provedBefore steps at rest before it \param since CPU time at
-/// its start [s]
+/// Adds a step to the use of effects. \param provedBefore steps at rest before it \param since time of all
+/// stages at its start [s]
 template<int Dim>
 void countUse(Motion<Dim>& motion, long provedBefore, double since)
 {
     EffectUse& use = motion.effectUse;
-    const double seconds = cpuTime() - since;
+    const double seconds = motion.stageTimes.total() - since;
     ++use.steps;
     (use.atRest > provedBefore ? use.secondsAtRest : use.secondsOfOthers) += seconds;
     use.blocks += static_cast<double>(motion.state.velocity.size()) / freedomCount<Dim>;
@@ -263,7 +262,7 @@ bool advance(const DynamicCase<Dim>& scene, Motion<Dim>& motion, Time& time)
         before = motion;
     }
     const long proved = motion.effectUse.atRest;
-    const double start = cpuTime();
+    const double start = motion.stageTimes.total();
     const ShortenedStep taken = advanceOrShorten(scene, motion, time.deltaT());
     if (!taken.isSolved)
     {

@@ -14,7 +14,7 @@ struct EffectCallSums
     double places = 0; ///< share of the points, or blocks, on which it did, summed over all steps
 };
 
-/// Sums over the steps of a run, times of the processor; steps that were tried and not taken, and parts of
+/// Sums over the steps of a run, times those of their stages (StageTimes); steps that were tried and not taken, and parts of
 /// steps, count each.
 struct EffectUse
 {

@@ -2,6 +2,8 @@
 /// Counting of intervals.
 #include "runControl/OutputControl.h"
 
+#include "core/Log.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -48,9 +50,9 @@ double OutputControl::intervalsPassed(const TimePoint& now) const
     case WriteControl::adjustableRunTime:
         return count(now.value - start + 0.5 * now.deltaT);
     case WriteControl::cpuTime:
-        return count(now.cpuTime);
+        return count(now.cpuTime ? *now.cpuTime : cpuTime());
     case WriteControl::clockTime:
-        return count(now.clockTime);
+        return count(now.clockTime ? *now.clockTime : clockTime());
     case WriteControl::none:
         break;
     }

@@ -5,6 +5,7 @@
 #include "dictionary/Options.h"
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -50,9 +51,11 @@ struct TimePoint
     double value = 0;  ///< simulated time [s]
     double deltaT = 0; ///< of the step that led here [s]
     long index = 0;    ///< number of steps since time 0
-    double cpuTime = 0;
-    double clockTime = 0;
     long writeTimes = 0; ///< at which the run has written its state by now, this one too
+    /// [s]; absent: as they are when they are asked for, since few outputs do and reading them costs a call of
+    /// the system.
+    std::optional<double> cpuTime = {};
+    std::optional<double> clockTime = {};
 };
 
 /// Tells whether a moment is one to write at. To be asked once a step, in order.

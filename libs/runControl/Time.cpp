@@ -90,8 +90,7 @@ Time::Time(const TimeControls& controls, const TimeState& from)
 
 void Time::startOutput()
 {
-    output = OutputControl(settings.output, {now, lengthToHere(), count, cpuTime(), clockTime(), writeTimes},
-                           settings.startTime);
+    output = OutputControl(settings.output, {now, lengthToHere(), count, writeTimes}, settings.startTime);
 }
 
 void Time::resume(const TimeState& saved)
@@ -241,7 +240,7 @@ bool Time::isWriteTime()
 {
     if (write == Write::undecided)
     {
-        bool isDue = stepsDone > 0 && output.due({now, lastStep, count, cpuTime(), clockTime(), writeTimes});
+        bool isDue = stepsDone > 0 && output.due({now, lastStep, count, writeTimes});
         writeTimes += isDue ? 1 : 0;
         if (isDue && settings.stopAt == StopAt::nextWrite)
         {
@@ -265,7 +264,7 @@ bool Time::isWriteTime()
 TimePoint Time::point()
 {
     isWriteTime(); // which counts them
-    return {now, lengthToHere(), count, cpuTime(), clockTime(), writeTimes};
+    return {now, lengthToHere(), count, writeTimes};
 }
 
 double Time::fittingStep(double length) const

@@ -537,11 +537,11 @@ TEST(OutputControl, CountsTheWriteTimesOfTheRun)
 TEST(OutputControl, CountsSecondsOfTheClocks)
 {
     OutputControl cpu({WriteControl::cpuTime, 10}, TimePoint{});
-    EXPECT_FALSE(cpu.due({0, 0, 1, 9.9, 50, 0}));
-    EXPECT_TRUE(cpu.due({0, 0, 2, 10.1, 50, 0}));
-    EXPECT_FALSE(cpu.due({0, 0, 3, 12, 500, 0}));
+    EXPECT_FALSE(cpu.due({0, 0, 1, 0, 9.9, 50}));
+    EXPECT_TRUE(cpu.due({0, 0, 2, 0, 10.1, 50}));
+    EXPECT_FALSE(cpu.due({0, 0, 3, 0, 12, 500}));
     OutputControl none({WriteControl::none, 1}, TimePoint{});
-    EXPECT_FALSE(none.due({5, 1, 5, 5, 5, 1}));
+    EXPECT_FALSE(none.due({5, 1, 5, 1, 5, 5}));
 }
 
 TEST(OutputControl, TakesIntervalsOfAnySize)
