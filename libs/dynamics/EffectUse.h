@@ -14,8 +14,8 @@ struct EffectCallSums
     double places = 0; ///< share of the points, or blocks, on which it did, summed over all steps
 };
 
-/// Sums over the steps of a run, times those of their stages (StageTimes); steps that were tried and not taken, and parts of
-/// steps, count each.
+/// Sums over the steps of a run, times those of their stages (StageTimes); steps that were tried and not
+/// taken, and parts of steps, count each.
 struct EffectUse
 {
     long steps = 0;                     ///< all, parts of parted steps each

@@ -1,19 +1,17 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Reads frames with VTK.
+/// Where blocks are, from the fields of frames.
 #include "io/FrameReader.h"
 
 #include "core/Error.h"
+#include "core/WholeFile.h"
+#include "io/VtkField.h"
 #include "io/VtkSeries.h"
 
 #include <fmt/format.h>
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace drystone
 {
@@ -30,57 +28,49 @@ BlockFrame readFrame(const std::filesystem::path& file, double time, std::size_t
                         "wrote it.",
                         file.string(), what));
     };
-    vtkNew<vtkXMLPolyDataReader> reader;
-    if (!reader->CanReadFile(file.c_str()))
-    {
-        fail("it is no .vtp file");
-    }
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    vtkCellData* fields = reader->GetOutput()->GetCellData();
-    vtkDataArray* block = fields->GetArray("blockId");
-    vtkDataArray* displacement = fields->GetArray("displacement[m]");
-    vtkDataArray* rotation = fields->GetArray("rotation[rad]");
+    const std::string bytes = contentOfFile(file);
+    const std::optional<Field> block = cellField(bytes, "blockId");
+    const std::optional<Field> displacement = cellField(bytes, "displacement[m]");
+    const std::optional<Field> rotation = cellField(bytes, "rotation[rad]");
     if (!block || !displacement || !rotation)
     {
-        fail("blockId, displacement or rotation is missing");
+        fail("blockId, displacement or rotation is missing or damaged");
     }
-    const int turns = rotation->GetNumberOfComponents();
-    if (block->GetNumberOfComponents() != 1 || displacement->GetNumberOfComponents() != 3
-        || (turns != 1 && turns != 3))
+    if (block->components != 1 || displacement->components != 3)
     {
-        fail(fmt::format(
-            "blockId, displacement and rotation have {}, {} and {} components, not 1, 3 and 1 or 3",
-            block->GetNumberOfComponents(), displacement->GetNumberOfComponents(), turns));
+        fail(fmt::format("blockId and displacement have {} and {} components, not 1 and 3", block->components,
+                         displacement->components));
     }
-    const vtkIdType cells = block->GetNumberOfTuples();
-    if (displacement->GetNumberOfTuples() != cells || rotation->GetNumberOfTuples() != cells)
+    const auto turns = static_cast<std::size_t>(rotation->components);
+    const std::size_t cells = block->values.size();
+    if (displacement->values.size() != 3 * cells || rotation->values.size() != turns * cells)
     {
         fail(fmt::format("blockId, displacement and rotation have {}, {} and {} rows", cells,
-                         displacement->GetNumberOfTuples(), rotation->GetNumberOfTuples()));
+                         displacement->values.size() / 3, rotation->values.size() / turns));
     }
     const auto count = static_cast<Eigen::Index>(blocks);
     constexpr double absent = std::numeric_limits<double>::quiet_NaN();
     BlockFrame frame{time, Eigen::Matrix3Xd::Constant(3, count, absent),
                      Eigen::Matrix3Xd::Constant(3, count, absent)};
-    const bool isPlane = turns == 1;
-    for (vtkIdType cell = 0; cell < cells; ++cell)
+    for (std::size_t cell = 0; cell < cells; ++cell)
     {
-        const double number = block->GetTuple1(cell);
+        const double number = block->values[cell];
         if (!(number >= 0 && number < static_cast<double>(blocks)))
         {
             fail(fmt::format("it shows block {}, and there are {}", number, blocks));
         }
         const auto index = static_cast<Eigen::Index>(number);
-        displacement->GetTuple(cell, frame.displacement.col(index).data());
-        if (isPlane)
+        const auto from = [cell](const Field& field, std::size_t component)
+        { return field.values[cell * static_cast<std::size_t>(field.components) + component]; };
+        for (std::size_t axis = 0; axis < 3; ++axis)
         {
-            frame.rotation.col(index).setZero();
-            frame.rotation(2, index) = rotation->GetTuple1(cell);
+            const auto row = static_cast<Eigen::Index>(axis);
+            frame.displacement(row, index) = from(*displacement, axis);
+            frame.rotation(row, index) = turns == 3 ? from(*rotation, axis) : 0;
         }
-        else
+        if (turns == 1)
         {
-            rotation->GetTuple(cell, frame.rotation.col(index).data());
+            frame.rotation(2, index) = from(*rotation, 0);
         }
     }
     return frame;

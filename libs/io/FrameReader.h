@@ -1,7 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Reads back what Frames.h wrote: where the blocks are in each frame of an animation. VTK's reader reads the
-/// files, which keeps it inside this library; it is meant for files that Drystone wrote and not for those of
-/// others.
+/// Reads back what Frames.h wrote: where the blocks are in each frame of an animation. It is meant for files
+/// that Drystone wrote and not for those of others.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// With FrameReader.cpp the only file that includes VTK: writes .vtp files by VTK's own writer.
+/// The only file that includes VTK: writes .vtp files by VTK's own writer.
 #include "io/VtkLibrary.h"
 
 #include "core/Error.h"

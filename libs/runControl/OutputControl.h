@@ -48,12 +48,12 @@ void declare(Options& options, OutputSettings& settings);
 /// A moment of a run.
 struct TimePoint
 {
-    double value = 0;  ///< simulated time [s]
-    double deltaT = 0; ///< of the step that led here [s]
-    long index = 0;    ///< number of steps since time 0
+    double value = 0;    ///< simulated time [s]
+    double deltaT = 0;   ///< of the step that led here [s]
+    long index = 0;      ///< number of steps since time 0
     long writeTimes = 0; ///< at which the run has written its state by now, this one too
-    /// [s]; absent: as they are when they are asked for, since few outputs do and reading them costs a call of
-    /// the system.
+    /// [s]; absent: as they are when they are asked for, since few outputs do and reading them costs a call
+    /// of the system.
     std::optional<double> cpuTime = {};
     std::optional<double> clockTime = {};
 };

@@ -21,5 +21,24 @@ TEST(Base64, HasTheVectorsOfItsStandard)
     EXPECT_EQ(base64("\xff\xfe"), "//4=");
 }
 
+TEST(Base64, GivesItsBytesBack)
+{
+    std::string bytes;
+    for (int i = 0; i < 300; ++i)
+    {
+        EXPECT_EQ(bytesOfBase64(base64(bytes)), bytes);
+        bytes.push_back(static_cast<char>(37 * i));
+    }
+}
+
+TEST(Base64, OfOtherCharactersOrLengthsIsNone)
+{
+    for (const char* text : {"A", "AA", "AAA", "AA=A", "A===", "====", "AA\nA", "AA-A", "Zg==Zg=="})
+    {
+        EXPECT_FALSE(bytesOfBase64(text)) << text;
+    }
+    EXPECT_EQ(bytesOfBase64(""), "");
+}
+
 } // namespace
 } // namespace drystone
