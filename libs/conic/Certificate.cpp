@@ -180,7 +180,7 @@ double magnitude(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
 
 double Certificate::worst() const
 {
-    return std::max({primalResidual, dualResidual, gap});
+    return std::max({primalResidual, dualResidual, dualityGap});
 }
 
 template<int Rows, int Forces>
@@ -253,7 +253,7 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
     certificate.primalResidual = std::max(relative(largest<Rows, Forces>(imbalance, 1 / lever), forceScale),
                                           relative(coneViolation(program, c), forceScale));
     certificate.dualResidual = std::max(certificate.dualResidual, relative(openings, displacementScale));
-    certificate.gap = relative(std::abs(difference), differenceScale);
+    certificate.dualityGap = relative(std::abs(difference), differenceScale);
     return certificate;
 }
 
@@ -275,7 +275,7 @@ Certificate certifyInfeasible(const ConeProgram<Rows, Forces>& program,
     Certificate certificate;
     if (!(share > 0) || !std::isfinite(share))
     {
-        certificate.gap = infinite;
+        certificate.dualityGap = infinite;
         return certificate;
     }
     const double violation = std::max(std::numeric_limits<double>::epsilon(),
@@ -306,7 +306,7 @@ Certificate certifyUnbounded(const ConeProgram<Rows, Forces>& program, const Eig
     const double gain = 1 - (program.gap.size() > 0 ? program.gap.dot(forceRay) : 0);
     if (!(gain > 0) || (program.hasCompliance() && !forceRay.isZero(0)))
     {
-        certificate.gap = infinite;
+        certificate.dualityGap = infinite;
         return certificate;
     }
     certificate.primalResidual /= std::min(gain, 1.0);

@@ -14,12 +14,13 @@ namespace drystone
 ///
 /// A point with a Strength has the set K = {-T <= c_n <= N, |c_t| <= C + mu c_n} instead of the cone. The
 /// dual objective then has the term min over K of z'c, which with d = z_n - mu |z_t| is -C |z_t| - T d for d
-/// >= 0 and -C |z_t| + N d for d < 0: where N is finite any z will do, and a wrong one shows in the gap.
+/// >= 0 and -C |z_t| + N d for d < 0: where N is finite any z will do, and a wrong one shows in the duality
+/// gap.
 struct Certificate
 {
     double primalResidual = 0; ///< of r + A c = f + alpha L and of |c_t| <= mu c_n
-    double dualResidual = 0;   ///< of mu |z_t| <= z_n with z = g - A' y, and of L' y = 1
-    double gap = 0;            ///< difference of the primal and the dual objective
+    double dualResidual = 0;   ///< of mu |z_t| <= z_n with z = g + C c - A' y, and of L' y = 1
+    double dualityGap = 0;     ///< difference of the primal and the dual objective
 
     /// The largest of the three.
     double worst() const;
@@ -31,8 +32,8 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
 
 /// Certificate that no contact forces balance f + alpha L for any alpha (Farkas): y with -A' y in the dual
 /// cone, L' y = 0 and f' y > 0, because then y' (A c - alpha L) <= 0 < f' y. With strengths the most that y'A
-/// c can be is taken from f' y. `gap` is 0 when what remains is clearly positive and infinite otherwise;
-/// `dualResidual` is relative to it.
+/// c can be is taken from f' y. `dualityGap` is 0 when what remains is clearly positive and infinite
+/// otherwise; `dualResidual` is relative to it.
 template<int Rows, int Forces>
 Certificate certifyInfeasible(const ConeProgram<Rows, Forces>& program,
                               const Eigen::VectorXd& displacementRay);

@@ -27,7 +27,7 @@ void PartedStep<Dim>::count(const StepResiduals& attempt)
     work.initialResidual = std::max(work.initialResidual, attempt.initialResidual);
     work.primalResidual = std::max(work.primalResidual, attempt.primalResidual);
     work.dualResidual = std::max(work.dualResidual, attempt.dualResidual);
-    work.gap = std::max(work.gap, attempt.gap);
+    work.dualityGap = std::max(work.dualityGap, attempt.dualityGap);
     work.flowError = std::max(work.flowError, attempt.flowError);
     work.iterations += attempt.iterations;
     work.factorisations += attempt.factorisations;

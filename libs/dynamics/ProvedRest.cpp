@@ -107,7 +107,7 @@ bool staysAtRest(Step<Dim>& step)
     motion.attempt.initialResidual = rest.certificate.worst();
     motion.attempt.primalResidual = rest.certificate.primalResidual;
     motion.attempt.dualResidual = rest.certificate.dualResidual;
-    motion.attempt.gap = rest.certificate.gap;
+    motion.attempt.dualityGap = rest.certificate.dualityGap;
     motion.residuals = motion.attempt;
     motion.isAwake.assign(scene.free.size(), false);
     motion.bodies.assign(scene.free.size(), -1);

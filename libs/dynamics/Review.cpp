@@ -41,7 +41,7 @@ bool review(Step<Dim>& step)
     residuals.initialResidual = result.initialResidual;
     residuals.primalResidual = result.certificate.primalResidual;
     residuals.dualResidual = result.certificate.dualResidual;
-    residuals.gap = result.certificate.gap;
+    residuals.dualityGap = result.certificate.dualityGap;
     residuals.flowError = result.flowError;
     return false;
 }

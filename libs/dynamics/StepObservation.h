@@ -37,7 +37,7 @@ struct StepResiduals
     double initialResidual = 0; ///< relative, of the starting point
     double primalResidual = 0;  ///< relative, of equilibrium and of the friction cones
     double dualResidual = 0;    ///< relative, of penetration and of the flow rule
-    double gap = 0;             ///< relative, of complementarity
+    double dualityGap = 0;      ///< relative, of complementarity
     int iterations = 0;
     int factorisations = 0;
     int programs = 0;     ///< cone programs solved for the step: more than one with non-associative friction

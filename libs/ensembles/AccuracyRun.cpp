@@ -98,7 +98,7 @@ Measurement stepThrough(const DynamicCase<Dim>& scene, const AccuracyCase<Dim>& 
             ++result.steps;
             result.hover = std::max(result.hover, hoverOf(scene, motion));
             result.worstResidual = std::max({result.worstResidual, motion.residuals.primalResidual,
-                                             motion.residuals.dualResidual, motion.residuals.gap});
+                                             motion.residuals.dualResidual, motion.residuals.dualityGap});
             goesOn = observe(motion, taken.timeStep);
         }
         if (result.end == RunEnd::unsolved)

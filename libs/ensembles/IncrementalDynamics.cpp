@@ -182,7 +182,7 @@ IncrementalRun runAt(const IncrementalDynamics<Dim>& study, const StudyMotion& g
         }
         const bool isSolved = advanceIn(scene, motion, time, ground, intensity);
         run.worstResidual = std::max({run.worstResidual, motion.residuals.primalResidual,
-                                      motion.residuals.dualResidual, motion.residuals.gap});
+                                      motion.residuals.dualResidual, motion.residuals.dualityGap});
         if (!isSolved)
         {
             run.verdict = Verdict::notConverged;

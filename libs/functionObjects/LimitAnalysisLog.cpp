@@ -324,7 +324,7 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
         const Certificate& certificate = result.certificate;
         info(
             "Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",
-            certificate.primalResidual, certificate.dualResidual, certificate.gap, result.iterations);
+            certificate.primalResidual, certificate.dualResidual, certificate.dualityGap, result.iterations);
     }
     if (!structure.combinations.empty())
     {

@@ -21,7 +21,7 @@ namespace
 
 double worst(const StepResiduals& residuals)
 {
-    return std::max({residuals.primalResidual, residuals.dualResidual, residuals.gap});
+    return std::max({residuals.primalResidual, residuals.dualResidual, residuals.dualityGap});
 }
 
 /// How blocks of space that are not convex are searched for contacts, and which are not.

@@ -38,7 +38,7 @@ void visitResiduals(Residuals& residuals, const Visit& visit)
     visit("solverInitialResidual", residuals.initialResidual);
     visit("solverPrimalResidual", residuals.primalResidual);
     visit("solverDualResidual", residuals.dualResidual);
-    visit("solverGap", residuals.gap);
+    visit("solverGap", residuals.dualityGap);
     visit("solverFlowError", residuals.flowError);
     visit("solverIterations", residuals.iterations);
     visit("solverFactorisations", residuals.factorisations);

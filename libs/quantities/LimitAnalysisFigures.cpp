@@ -45,7 +45,7 @@ std::vector<TabledFigure> limitAnalysisFigures(const LimitAnalysisCase<Dim>& str
             {"iterations[-]", fmt::format("{}", result.iterations)},
             {"primalResidual[-]", residual(result.certificate.primalResidual)},
             {"dualResidual[-]", residual(result.certificate.dualResidual)},
-            {"gap[-]", residual(result.certificate.gap)},
+            {"gap[-]", residual(result.certificate.dualityGap)},
             {"cpuTime[s]", fmt::format("{:.6g}", cpuTime)}};
 }
 

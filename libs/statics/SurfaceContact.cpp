@@ -104,7 +104,7 @@ Certificate certifySurfaceContact(const Assembly<2>& assembly, const std::vector
     certificate.primalResidual = std::max(largest(unbalanced, lever), outside) / largestLoad;
     certificate.dualResidual = against / largestRate;
     const double terms = std::max(std::abs(collapse.alpha), loads.dead.cwiseProduct(rates).lpNorm<1>());
-    certificate.gap = std::abs(collapse.alpha + loads.dead.dot(rates)) / terms;
+    certificate.dualityGap = std::abs(collapse.alpha + loads.dead.dot(rates)) / terms;
     return certificate;
 }
 

@@ -69,8 +69,8 @@ TEST(ProvedRest, AWallUnderARecordBelowItsMultiplierTakesThreeProgramsForAllStep
     for (int step = 0; step < 300; ++step)
     {
         ASSERT_TRUE(advance(scene, motion, timeStep));
-        worst = std::max(
-            {worst, motion.residuals.primalResidual, motion.residuals.dualResidual, motion.residuals.gap});
+        worst = std::max({worst, motion.residuals.primalResidual, motion.residuals.dualResidual,
+                          motion.residuals.dualityGap});
     }
     EXPECT_EQ(motion.effectUse.atRest, 300);
     EXPECT_TRUE(standsAsBuilt(motion));

@@ -74,7 +74,7 @@ void run(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep, int st
     {
         ASSERT_TRUE(advance(scene, motion, timeStep))
             << "step " << step << ": residuals " << motion.attempt.primalResidual << " "
-            << motion.attempt.dualResidual << " " << motion.attempt.gap << " after "
+            << motion.attempt.dualResidual << " " << motion.attempt.dualityGap << " after "
             << motion.attempt.iterations << " iterations of " << motion.attempt.programs << " programs";
     }
 }

@@ -89,7 +89,7 @@ void judgeSettlement(unsigned seed, Tally& tally)
         dead.gap.resize(0);
         EXPECT_EQ(solveInteriorPoint(dead).status, SolveStatus::notConverged)
             << "certificate " << result.certificate.primalResidual << " " << result.certificate.dualResidual
-            << " " << result.certificate.gap << ", reaction " << result.alpha / weight;
+            << " " << result.certificate.dualityGap << ", reaction " << result.alpha / weight;
         EXPECT_LE(result.certificate.primalResidual, 1e-4);
         break;
     }

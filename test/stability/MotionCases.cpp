@@ -79,7 +79,7 @@ struct Watched
         {
             return fails(fmt::format("a step not solved to its tolerance (certificate {:.1e} {:.1e} {:.1e})",
                                      motion.attempt.primalResidual, motion.attempt.dualResidual,
-                                     motion.attempt.gap));
+                                     motion.attempt.dualityGap));
         }
         if (!motion.state.velocity.allFinite() || !std::isfinite(motion.energy.potential))
         {

@@ -25,7 +25,7 @@ void expectCertified(const LimitAnalysis& result)
 {
     EXPECT_LE(result.certificate.primalResidual, 1e-9);
     EXPECT_LE(result.certificate.dualResidual, 1e-9);
-    EXPECT_LE(result.certificate.gap, 1e-9);
+    EXPECT_LE(result.certificate.dualityGap, 1e-9);
 }
 
 /// A running-bond wall as many courses high as it is units long.

@@ -80,7 +80,7 @@ int solve(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice)
         info("Objective = {:.12g}", objective(program, solution));
     }
     info("Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",
-         certificate.primalResidual, certificate.dualResidual, certificate.gap, solution.iterations);
+         certificate.primalResidual, certificate.dualResidual, certificate.dualityGap, solution.iterations);
     printExecutionTime();
     printEnd();
     return solution.status == SolveStatus::notConverged ? 2 : 0;
