@@ -35,7 +35,6 @@ struct Findings
 {
     double size = 0;                    ///< meanBlockSize [m]
     std::vector<BlockMass<Dim>> masses; ///< of each block
-    std::vector<Box<Dim>> boxes;        ///< of each block
     std::vector<std::pair<int, int>>
         near; ///< pairs of blocks whose boxes come within CheckLimits::jointTolerance
     std::vector<ContactPoint<Dim>> points;
@@ -423,13 +422,7 @@ AssemblyReport<Dim> checkAssembly(const Assembly<Dim>& assembly, CheckExtent ext
     Findings<Dim> findings;
     findings.size = meanBlockSize(assembly);
     findings.masses = blockMasses(assembly);
-    std::vector<Box<Dim>> enlargedBoxes;
-    for (const Block<Dim>& block : assembly.blocks)
-    {
-        findings.boxes.push_back(boundingBox(block));
-        enlargedBoxes.push_back(enlarged<Dim>(findings.boxes.back(), limits.jointTolerance * findings.size));
-    }
-    findings.near = findMeetingPairs(enlargedBoxes);
+    findings.near = blocksWithin(assembly, limits.jointTolerance * findings.size);
     findings.points = findContactPoints(assembly);
     findings.overlaps = overlapsOf(assembly, limits, findings.largestOverlap);
     findings.almostJoints = findAlmostJoints(assembly, limits);

@@ -2,13 +2,17 @@
 /// What the checks of an assembly ask of the shapes of its blocks; the answers are in plane/ and space/.
 #pragma once
 
+#include "assembly/BlockShape.h"
 #include "contact/AssemblyChecks.h"
 #include "contact/ContactPoint.h"
+#include "geometry/BroadPhase.h"
 
 #include <algorithm>
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace drystone
 {
@@ -32,6 +36,18 @@ struct SliverRanges
     CheckedRange compactness;
     CheckedRange angle; ///< of the corners [rad], of the plane
 };
+
+/// Pairs of blocks whose boxes come within a distance [m] of each other, the lower index first.
+template<int Dim>
+std::vector<std::pair<int, int>> blocksWithin(const Assembly<Dim>& assembly, double distance)
+{
+    std::vector<Box<Dim>> boxes;
+    for (const Block<Dim>& block : assembly.blocks)
+    {
+        boxes.push_back(enlarged<Dim>(boundingBox(block), distance));
+    }
+    return findMeetingPairs(boxes);
+}
 
 /// Area of a block of the plane [m2], volume of one of space [m3].
 double extentOf(const Block<2>& block);

@@ -2,11 +2,9 @@
 /// Paths through joints.
 #include "contact/SupportPaths.h"
 
-#include "assembly/BlockShape.h"
 #include "contact/AlmostJoints.h"
 #include "contact/ShapeChecks.h"
 #include "core/DisjointSets.h"
-#include "geometry/BroadPhase.h"
 
 #include <fmt/format.h>
 
@@ -21,17 +19,6 @@ namespace
 {
 
 constexpr std::size_t shownBlocks = 10;
-
-template<int Dim>
-std::vector<Box<Dim>> boxesOf(const Assembly<Dim>& assembly, double tolerance)
-{
-    std::vector<Box<Dim>> boxes;
-    for (const Block<Dim>& block : assembly.blocks)
-    {
-        boxes.push_back(enlarged<Dim>(boundingBox(block), tolerance));
-    }
-    return boxes;
-}
 
 /// `at a corner only: a joint needs ...`
 template<int Dim>
@@ -52,7 +39,7 @@ std::string cornerTouch(const Assembly<Dim>& assembly, const std::vector<int>& l
     {
         isLoose[block] = true;
     }
-    for (const auto& [one, other] : findMeetingPairs(boxesOf(assembly, tolerance)))
+    for (const auto& [one, other] : blocksWithin(assembly, tolerance))
     {
         // Between two that are held, or two that are not, it decides nothing.
         if (isLoose[one] != isLoose[other] && touch(assembly.blocks[one], assembly.blocks[other], tolerance))
@@ -104,7 +91,7 @@ std::string touchWithoutJoint(const Assembly<Dim>& assembly, const std::vector<C
     {
         jointed.emplace(point.block, point.neighbour);
     }
-    for (const auto& [first, second] : findMeetingPairs(boxesOf(assembly, tolerance)))
+    for (const auto& [first, second] : blocksWithin(assembly, tolerance))
     {
         const Block<Dim>& one = assembly.blocks[first];
         const Block<Dim>& other = assembly.blocks[second];
