@@ -55,7 +55,7 @@ MeasuredPoints measuredPoints(const Step<Dim>& step, const std::vector<std::size
 Certificate larger(const Certificate& one, const Certificate& other)
 {
     return {std::max(one.primalResidual, other.primalResidual),
-            std::max(one.dualResidual, other.dualResidual), std::max(one.gap, other.gap)};
+            std::max(one.dualResidual, other.dualResidual), std::max(one.dualityGap, other.dualityGap)};
 }
 
 /// How a guess came out.

@@ -188,7 +188,7 @@ void ResidualsFunction<Dim>::write(const StepObservation<Dim>& step)
     }
     const StepResiduals& r = step.residuals;
     table->write(std::array{step.time, step.timeStep, r.initialResidual, r.primalResidual, r.dualResidual,
-                            r.gap, 1.0 * r.iterations, 1.0 * r.factorisations, 1.0 * r.programs,
+                            r.dualityGap, 1.0 * r.iterations, 1.0 * r.factorisations, 1.0 * r.programs,
                             1.0 * r.retries, r.flowError});
 }
 
