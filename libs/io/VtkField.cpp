@@ -6,6 +6,7 @@
 #include "core/Base64.h"
 #include "core/MarkupText.h"
 
+#include <fmt/format.h>
 #include <libdeflate.h>
 
 #include <algorithm>
@@ -32,8 +33,8 @@ struct Element
 /// The first element with attributes that contain a text.
 std::optional<Element> findElement(std::string_view text, std::string_view name, std::string_view attribute)
 {
-    const std::string begin = "<" + std::string(name);
-    const std::string end = "</" + std::string(name) + ">";
+    const std::string begin = fmt::format("<{}", name);
+    const std::string end = fmt::format("</{}>", name);
     for (std::size_t at = text.find(begin); at != std::string_view::npos; at = text.find(begin, at + 1))
     {
         const std::size_t close = text.find('>', at);
@@ -157,7 +158,8 @@ std::optional<Field> cellField(std::string_view bytes, const std::string& name)
     const std::optional<Element> cells =
         isOwn(bytes) ? findElement(bytes, "CellData", "") : std::optional<Element>();
     const std::optional<Element> element =
-        cells ? findElement(cells->content, "DataArray", " Name=\"" + markupText(name) + "\"") : cells;
+        cells ? findElement(cells->content, "DataArray", fmt::format(" Name=\"{}\"", markupText(name)))
+              : cells;
     const auto has = [&](std::string_view attribute)
     { return element->attributes.find(attribute) != std::string_view::npos; };
     if (!element || !has("format=\"binary\"") || has("type=\"Int32\"") == has("type=\"Float64\""))
