@@ -123,12 +123,12 @@ class FirstDay(CaseTest):
             "system/blockTextureDict": self.polygons(ground, pier, tip, beam)})
         done = self.runApplication("limitAnalysis", case, "-report")
         self.assertRegex(done.stdout, "(?m)^Status: optimal$")
-        said = "no force where block 3 touches block 2 at a corner only"
+        said = "no force where block 2 touches block 3 at a corner only"
         self.assertIn(said, " ".join(done.stderr.split()))
         self.assertIn(said, self.read(case, "report.html"))
         scene = self.case("contactDynamics/slidingBlock/basePulse", files={
             "system/blockTextureDict": self.polygons(ground, pier, tip, beam)})
-        self.assertIn("none: they know joints only, and block 3 touches block 2 at a corner only",
+        self.assertIn("none: they know joints only, and block 2 touches block 3 at a corner only",
                       self.call("contactDynamics", scene, "-dry-run"))
 
     def testAReportSaysWhichBlocksNothingHolds(self):
