@@ -232,7 +232,7 @@ statistics { capacity { type distribution; value alpha; } }
         self.assertEqual(seen["pictures"], [0, 1, 0, 3, 4, 5])
         self.assertGreater(min(seen["shares"]), 0.02)
         self.assertEqual(seen["scales"][:3], ["", "", ""])  # of one colour
-        self.assertRegex(seen["scales"][3], r"^0 +[1-9][0-9.e+-]* m$")
+        self.assertRegex(seen["scales"][3], r"^0 +[0-9.]*[1-9][0-9.e+-]* m$")
         self.assertIn(f"{momentName} {last}", seen["readouts"][0])
         self.assertIn(f"{momentName} {first}", seen["readouts"][1])
         self.assertRegex(seen["readouts"][5], r"Block \d+: displacement \([-0-9.e ]+\) m, rotation [0-9.e-]+ rad")

@@ -526,7 +526,7 @@ TEST(OutputControl, CountsTheWriteTimesOfTheRun)
     std::vector<int> due;
     for (int i = 1; i <= 12; ++i)
     {
-        if (control.due({0.1 * i, 0.1, i, 0, 0, i / 3}))
+        if (control.due({0.1 * i, 0.1, i, i / 3}))
         {
             due.push_back(i);
         }

@@ -138,6 +138,6 @@ TEST(WellPosedPrograms, DegenerateSamplesTakeNoHundredsOfIterations)
         const WeighedStructure structure = standing(bond);
         const LimitAnalysis result = expectSolved(structure.program(mu, structure.weightLoads()));
         EXPECT_NEAR(result.alpha, alpha, 1e-8);
-        EXPECT_LE(result.iterations, 60);
+        EXPECT_LE(result.iterations, 70); // those of starts that failed count
     }
 }
