@@ -179,7 +179,7 @@ void requireStructure(AccuracyCase<Dim>& ofCase, const fs::path& caseDirectory, 
 template<int Dim>
 RunSetting readMotion(const fs::path& caseDirectory, AccuracyCase<Dim>& ofCase, AccuracyStudy& study)
 {
-    Time time(caseDirectory, ControlDict::required);
+    Time time(caseDirectory, ControlDict::required, RunsOfCase::many);
     ofCase.scene = readDynamicCase<Dim>(caseDirectory);
     ofCase.start = startOrContinue(caseDirectory, *ofCase.scene, time).state;
     ofCase.endTime = time.controls().endTime;

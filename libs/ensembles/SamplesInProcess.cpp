@@ -297,7 +297,7 @@ struct SamplesInProcess::Cases
     template<int Dim>
     void findLeastIntensities()
     {
-        Time time(ensemble.caseDirectory, ControlDict::required);
+        Time time(ensemble.caseDirectory, ControlDict::required, RunsOfCase::many);
         IncrementalDynamics<Dim> study = readIncrementalDynamics<Dim>(ensemble.caseDirectory, time);
         study.jobs = 1; // the other cores have samples of their own
         const std::vector<IncrementalCurve> curves = carryOut(study);
@@ -380,7 +380,7 @@ struct SamplesInProcess::Cases
         {
             build<Dim>(dictionary);
         }
-        Time time(ensemble.caseDirectory, ControlDict::required);
+        Time time(ensemble.caseDirectory, ControlDict::required, RunsOfCase::many);
         const DynamicCase<Dim> scene = readDynamicCase<Dim>(ensemble.caseDirectory);
         watchesOf(scene, startOrContinue(ensemble.caseDirectory, scene, time));
     }
@@ -401,7 +401,7 @@ struct SamplesInProcess::Cases
     void move()
     {
         const fs::path& directory = ensemble.caseDirectory;
-        Time time(directory, ControlDict::required);
+        Time time(directory, ControlDict::required, RunsOfCase::many);
         const DynamicCase<Dim> scene = readDynamicCase<Dim>(directory);
         Motion<Dim> motion = startOrContinue(directory, scene, time);
         chooseFirstTimeStep(scene, motion, time);

@@ -25,7 +25,7 @@ fs::file_time_type modificationTime(const fs::path& file)
 
 } // namespace
 
-Time::Time(const fs::path& caseDirectory, ControlDict presence)
+Time::Time(const fs::path& caseDirectory, ControlDict presence, RunsOfCase runs)
     : file((caseDirectory / "system/controlDict").lexically_normal()), needed(presence)
 {
     requireCase(caseDirectory);
@@ -41,7 +41,17 @@ Time::Time(const fs::path& caseDirectory, ControlDict presence)
     settings = readTimeControls(dictionary, presence);
 
     const std::vector<TimeDirectory> times = timeDirectories(caseDirectory);
+    const bool beginsAnew = runs == RunsOfCase::many && settings.startFrom == StartFrom::latestTime;
+    settings.startFrom = beginsAnew ? StartFrom::startTime : settings.startFrom;
     findStart(times);
+    if (beginsAnew && !times.empty() && times.back().time > begin)
+    {
+        printWarningOnce(fmt::format("The runs of this study begin at startTime, {}: time directories up to {} "
+                                     "are results of another run. To begin with what is there, set `startFrom "
+                                     "startTime;` and startTime in system/controlDict.",
+                                     startDirectory, times.back().name),
+                         dictionary.locationOf("startTime"));
+    }
     if (times.empty() && settings.stopAt == StopAt::endTime && settings.endTime < settings.startTime)
     {
         throw FatalIOError(endsBeforeStart, dictionary.locationOf("endTime"));

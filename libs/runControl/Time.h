@@ -39,13 +39,21 @@ struct TimeState
     long writeTimes = 0;   ///< at which the state was due, this one too
 };
 
+/// What takes its time from a case.
+enum class RunsOfCase
+{
+    one, ///< a run, which may continue an earlier one
+    many ///< a study: its runs begin at startTime, where latestTime would be the end of an earlier run
+};
+
 /// The time of a run. Not to be copied: it counts what has been written.
 class Time
 {
 public:
     /// Reads system/controlDict and finds where to start.
     /// \throws FatalIOError for what is wrong with controlDict, and when it is required and not there
-    explicit Time(const std::filesystem::path& caseDirectory, ControlDict presence = ControlDict::optional);
+    explicit Time(const std::filesystem::path& caseDirectory, ControlDict presence = ControlDict::optional,
+                  RunsOfCase runs = RunsOfCase::one);
     /// The time of one run among many: it continues from `from`, reads no file again and tells nothing.
     Time(const TimeControls& controls, const TimeState& from);
     Time(const Time&) = delete;

@@ -23,7 +23,7 @@ int runIn(const CommandLine& commandLine)
     {
         throw FatalError("incrementalDynamics writes its tables when it runs: omit -postProcess.");
     }
-    Time time(commandLine.caseDirectory, ControlDict::required);
+    Time time(commandLine.caseDirectory, ControlDict::required, RunsOfCase::many);
     const auto study = readIncrementalDynamics<Dim>(commandLine.caseDirectory, time);
     if (!commandLine.noFunctionObjects)
     {
