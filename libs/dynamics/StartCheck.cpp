@@ -154,7 +154,12 @@ void questionDigits(const DynamicCase<Dim>& scene)
     }
     const double next = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
     const double allowed = scene.schemes.contactTolerance * scene.blockSize;
-    if (next > noticeable * allowed)
+    if (scene.mass.size() == 0)
+    {
+        printWarning("All blocks are fixed, and nothing moves: state supports of some of them only in "
+                     "system/blockTextureDict, and run blockTexture again.");
+    }
+    else if (next > noticeable * allowed)
     {
         printWarning(fmt::format("Coordinates of up to {:.3g} m have neighbours {:.1e} m apart, {:.2g} of "
                                  "the error that contactTolerance "

@@ -81,9 +81,18 @@ EffectType<Dim> jointModelType()
         { return contact.contact && contact.contact->formulation == ContactFormulation::surface; },
         [](const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
         {
-            for (const std::string key : {"pointsPerJoint", "jointPoints", "contact"})
+            const ContactProperties& contact = source.contact;
+            const bool isOfCorners = !contact.jointPoints;
+            const bool isOfPoints =
+                contact.contact && contact.contact->formulation == ContactFormulation::points;
+            for (const auto& [key, isOfMotion] :
+                 {std::pair("pointsPerJoint", false), std::pair("jointPoints", isOfCorners),
+                  std::pair("contact", isOfPoints)})
             {
-                refuseEffect(source.contact, "contactDynamics", key);
+                if (!isOfMotion) // which has the corners of joints, and points
+                {
+                    refuseEffect(contact, "contactDynamics", key);
+                }
             }
             return nullptr;
         },

@@ -217,16 +217,16 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
             }
         }
     }
-    VtkSeries blocks(caseDirectory / "VTK", "blocks" + suffix, 0);
+    VtkSeries blocks(caseDirectory / "VTK", "blocks" + suffix, 0, "limitAnalysis");
     writeMechanism(blocks, assembly, rates, awakeBlocks(structure, result));
 
     const std::vector<Vector<Dim>> forces = pointForces<Dim>(result.contactForce);
-    VtkSeries contacts(caseDirectory / "VTK", "contacts" + suffix, 0);
+    VtkSeries contacts(caseDirectory / "VTK", "contacts" + suffix, 0, "limitAnalysis");
     contacts.write(0,
                    contactFrame(structure.points, forces,
                                 contactStates(forces, structure.friction, cohesionsOf(structure.program))));
     writeWholeFile(file("thrust", ".dat"), thrustText(structure.points, forces));
-    VtkSeries thrust(caseDirectory / "VTK", "thrust" + suffix, 0);
+    VtkSeries thrust(caseDirectory / "VTK", "thrust" + suffix, 0, "limitAnalysis");
     thrust.write(0, thrustFrame(jointForces(structure.points, forces)));
 
     MechanismPicture picture;

@@ -160,8 +160,8 @@ MotionResults<Dim>::MotionResults(std::filesystem::path directory, const Dynamic
       functionList(readFunctions(caseDirectory, scene, time, functionObjects)),
       input(inputOfMotion(caseDirectory, scene.assembly, time, time.beginningName())),
       states(caseDirectory, time.controls().writeFormat, time.controls().purgeWrite),
-      blocks(caseDirectory / "VTK", "blocks", time.startValue()),
-      contacts(caseDirectory / "VTK", "contacts", time.startValue())
+      blocks(caseDirectory / "VTK", "blocks", time.startValue(), "contactDynamics"),
+      contacts(caseDirectory / "VTK", "contacts", time.startValue(), "contactDynamics")
 {
     if (scene.schemes.effects.selection == EffectSelection::automatic
         && functionObjects == FunctionObjects::asInControlDict)

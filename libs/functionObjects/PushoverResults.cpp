@@ -52,7 +52,7 @@ bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysis
 {
     constexpr double frames = 100;
     const double between = std::max(structure.pushover->step, meanBlockSize(structure.assembly) / frames);
-    VtkSeries series(caseDirectory / "VTK", "pushover", 0);
+    VtkSeries series(caseDirectory / "VTK", "pushover", 0, "limitAnalysis");
     double next = 0;
     const Pushover pushover = solvePushover<Dim>(
         structure,

@@ -81,7 +81,7 @@ BlockFrame readFrame(const std::filesystem::path& file, double time, std::size_t
 std::vector<BlockFrame> readBlockFrames(const std::filesystem::path& folder, const std::string& name,
                                         std::size_t blocks, std::size_t most)
 {
-    const std::vector<SeriesFrame> listed = readSeries(folder, name);
+    const std::vector<SeriesFrame> listed = readSeries(folder, name).frames;
     const std::size_t count = std::min(listed.size(), most);
     std::vector<BlockFrame> frames;
     for (std::size_t i = 0; i < count; ++i)

@@ -3,6 +3,7 @@
 ///
 ///     {
 ///       "file-series-version" : "1.0",
+///       "application" : "contactDynamics",
 ///       "files" : [
 ///         { "name" : "blocks_000000.vtp", "time" : 0 },
 ///         { "name" : "blocks_000001.vtp", "time" : 0.02 }
@@ -12,6 +13,7 @@
 
 #include "core/Error.h"
 #include "core/Json.h"
+#include "core/Log.h"
 #include "core/WholeFile.h"
 
 #include <fmt/format.h>
@@ -30,8 +32,14 @@ namespace drystone
 namespace
 {
 
-constexpr std::string_view listHead = "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [\n";
 constexpr std::string_view listTail = "\n  ]\n}\n";
+
+/// ParaView reads the version and the files.
+std::string headOfList(const std::string& application)
+{
+    return fmt::format("{{\n  \"file-series-version\" : \"1.0\",\n{}  \"files\" : [\n",
+                       application.empty() ? "" : fmt::format("  \"application\" : \"{}\",\n", application));
+}
 
 std::string listLine(std::string_view file, double time)
 {
@@ -46,10 +54,10 @@ bool sameTime(double a, double b)
 
 } // namespace
 
-std::vector<SeriesFrame> readSeries(const std::filesystem::path& folder, const std::string& name)
+Series readSeries(const std::filesystem::path& folder, const std::string& name)
 {
     const std::filesystem::path listFile = folder / (name + ".vtp.series");
-    std::vector<SeriesFrame> listed;
+    Series listed;
     std::ifstream list(listFile, std::ios::binary);
     if (!list.is_open())
     {
@@ -70,6 +78,11 @@ std::vector<SeriesFrame> readSeries(const std::filesystem::path& folder, const s
     catch (const JsonFault& fault)
     {
         fail(fault.what(), fault.line);
+    }
+    const JsonValue* application = series.find("application");
+    if (application != nullptr && application->asText() != nullptr)
+    {
+        listed.application = *application->asText();
     }
     const JsonValue* files = series.find("files");
     if (files == nullptr || files->asList() == nullptr)
@@ -94,17 +107,25 @@ std::vector<SeriesFrame> readSeries(const std::filesystem::path& folder, const s
         std::error_code unknown;
         if (std::filesystem::exists(folder / known.file, unknown))
         {
-            listed.push_back(known);
+            listed.frames.push_back(known);
         }
     }
-    std::stable_sort(listed.begin(), listed.end(),
+    std::stable_sort(listed.frames.begin(), listed.frames.end(),
                      [](const SeriesFrame& a, const SeriesFrame& b) { return a.time < b.time; });
     return listed;
 }
 
-VtkSeries::VtkSeries(std::filesystem::path seriesFolder, std::string seriesName, double startTime)
-    : folder(std::move(seriesFolder)), name(std::move(seriesName)), frames(readSeries(folder, name))
+VtkSeries::VtkSeries(std::filesystem::path seriesFolder, std::string seriesName, double startTime,
+                     std::string application)
+    : folder(std::move(seriesFolder)), name(std::move(seriesName)), listHead(headOfList(application))
 {
+    Series there = readSeries(folder, name);
+    frames = std::move(there.frames);
+    if (!there.application.empty() && !application.empty() && there.application != application)
+    {
+        replaced = frames.empty() ? "" : there.application;
+        return; // with all frames stale
+    }
     const auto later = std::find_if(frames.begin(), frames.end(),
                                     [&](const SeriesFrame& frame)
                                     { return frame.time > startTime && !sameTime(frame.time, startTime); });
@@ -113,6 +134,11 @@ VtkSeries::VtkSeries(std::filesystem::path seriesFolder, std::string seriesName,
 
 void VtkSeries::begin()
 {
+    if (!replaced.empty())
+    {
+        info("{}: the frames of {} that were there are removed", listFile().filename().string(), replaced);
+        replaced.clear();
+    }
     cutFrom(staleFrom);
     staleFrom = frames.size();
 }
@@ -195,7 +221,7 @@ template void VtkSeries::write(double time, const PolyData<3>& data);
 
 void VtkSeries::writeList()
 {
-    std::string text(listHead);
+    std::string text = listHead;
     for (std::size_t i = 0; i < frames.size(); ++i)
     {
         text += (i == 0 ? "" : ",\n") + listLine(frames[i].file, frames[i].time);

@@ -18,9 +18,16 @@ struct SeriesFrame
     double time;      ///< [s], of a mechanism its part from 0 to 1
 };
 
-/// The frames that `<folder>/<name>.vtp.series` lists and that are there, by time; none without a list.
-/// \throws FatalIOError for a file that is no such list
-std::vector<SeriesFrame> readSeries(const std::filesystem::path& folder, const std::string& name);
+/// What a list says.
+struct Series
+{
+    std::string application;         ///< that wrote it; empty where it does not say
+    std::vector<SeriesFrame> frames; ///< that are there, by time
+};
+
+/// What `<folder>/<name>.vtp.series` lists; nothing without a list. \throws FatalIOError for a file that is
+/// no such list
+Series readSeries(const std::filesystem::path& folder, const std::string& name);
 
 /// Writes `<folder>/<name>.vtp.series`, the list of frames and their times, and `<folder>/<name>_000000.vtp`
 /// and so on, one file per frame. The list names complete files only, at any moment, because ParaView may
@@ -32,10 +39,12 @@ class VtkSeries
 public:
     /// Reads what there is of the series, to be written from startTime on. Frames of an earlier run up to
     /// startTime are kept, so that a restarted run continues its animation; later ones are removed by
-    /// `begin`.
+    /// `begin`, and so are all that another application has written, which the log then says.
     ///
+    /// \param application that writes it; empty: the list does not say
     /// \throws FatalError when the list there was not written by Drystone
-    VtkSeries(std::filesystem::path seriesFolder, std::string seriesName, double startTime);
+    VtkSeries(std::filesystem::path seriesFolder, std::string seriesName, double startTime,
+              std::string application = {});
 
     /// Removes the frames after startTime, which `write` does too. \throws FatalError when the list cannot be
     /// written
@@ -62,6 +71,8 @@ private:
 
     std::filesystem::path folder;
     std::string name;
+    std::string listHead; ///< up to the first frame
+    std::string replaced; ///< application whose frames are in the way; empty: none
     std::vector<SeriesFrame> frames;
     /// The first frame after startTime, until these are removed; then the number of frames.
     std::size_t staleFrom = 0;

@@ -9,6 +9,7 @@
 #include "core/WholeFile.h"
 #include "functionObjects/KeptResults.h"
 #include "io/TimeDirectory.h"
+#include "io/VtkSeries.h"
 #include "report/ViewerData.h"
 #include "runControl/Case.h"
 #include "runControl/TimeControls.h"
@@ -231,7 +232,9 @@ void addMotion(HtmlPage& page, const fs::path& caseDirectory, const Assembly<Dim
 {
     constexpr std::size_t mostNumbers = 150'000; // of positions: some 2 MB of page
     const std::size_t mostFrames = mostNumbers / std::max<std::size_t>(1, assembly.blocks.size());
-    const bool isMotion = isOfMotion(caseDirectory);
+    const std::string ofFrames = readSeries(caseDirectory / "VTK", "blocks").application;
+    const bool hasMotion = isOfMotion(caseDirectory);
+    const bool isMotion = hasMotion && (ofFrames.empty() || ofFrames == "contactDynamics");
     if (!fs::exists(caseDirectory / "VTK" / "blocks.vtp.series"))
     {
         if (isMotion && !timesOfStates(caseDirectory).empty())
@@ -244,6 +247,12 @@ void addMotion(HtmlPage& page, const fs::path& caseDirectory, const Assembly<Dim
         return;
     }
     page.heading(isMotion ? "Motion" : "Mechanism");
+    if (hasMotion && !isMotion)
+    {
+        page.paragraph(fmt::format("There are states of a motion, too, but the frames are those of {}, which "
+                                   "ran after it. contactDynamics writes frames as it goes.",
+                                   ofFrames));
+    }
     const std::vector<BlockFrame> frames = readBlockFrames(
         caseDirectory / "VTK", "blocks", assembly.blocks.size(), std::clamp<std::size_t>(mostFrames, 2, 101));
     if (isMotion && !frames.empty())

@@ -46,11 +46,12 @@ Time::Time(const fs::path& caseDirectory, ControlDict presence, RunsOfCase runs)
     findStart(times);
     if (beginsAnew && !times.empty() && times.back().time > begin)
     {
-        printWarningOnce(fmt::format("The runs of this study begin at startTime, {}: time directories up to {} "
-                                     "are results of another run. To begin with what is there, set `startFrom "
-                                     "startTime;` and startTime in system/controlDict.",
-                                     startDirectory, times.back().name),
-                         dictionary.locationOf("startTime"));
+        printWarningOnce(
+            fmt::format("The runs of this study begin at startTime, {}: time directories up to {} "
+                        "are results of another run. To begin with what is there, set `startFrom "
+                        "startTime;` and startTime in system/controlDict.",
+                        startDirectory, times.back().name),
+            dictionary.locationOf("startTime"));
     }
     if (times.empty() && settings.stopAt == StopAt::endTime && settings.endTime < settings.startTime)
     {

@@ -68,7 +68,10 @@ void declareOutput(Options& options, TimeControls& controls)
                   "number of time directories to keep of those that a run writes, 0 for all")
         .atLeast(0);
     options.optional("writeFormat", controls.writeFormat, "of the restart state");
-    options.optional("writePrecision", controls.writePrecision, "significant digits of tables")
+    options
+        .optional(
+            "writePrecision", controls.writePrecision,
+            "accepted as OpenFOAM has it, without effect: tables have the writePrecision of their function")
         .atLeast(1)
         .atMost(largestTimePrecision);
     options.optional("timeFormat", controls.timeFormat, "of the names of time directories");

@@ -422,6 +422,28 @@ TEST(VtkSeries, ARestartReplacesFramesFromItsTimeOn)
     EXPECT_THAT(VtkSeries(folder.path(), "blocks", 10).times(), ElementsAre(0, 1, 2, 3, 3.5, 4));
 }
 
+// The animation of a motion that was continued after a limit analysis began with the mechanism.
+TEST(VtkSeries, FramesOfAnotherApplicationAreReplacedAll)
+{
+    const ScratchFolder folder;
+    const Assembly<2> wall = test::wall(2, 2);
+    {
+        VtkSeries mechanism(folder.path(), "blocks", 0, "limitAnalysis");
+        for (const double part : {0.0, 0.5, 1.0})
+        {
+            mechanism.write(part, blockFrame(wall));
+        }
+    }
+    EXPECT_EQ(readSeries(folder.path(), "blocks").application, "limitAnalysis");
+    VtkSeries motion(folder.path(), "blocks", 0.75, "contactDynamics");
+    EXPECT_FALSE(motion.hasFrameAt(0.5));
+    motion.write(0.75, blockFrame(wall));
+    EXPECT_THAT(motion.times(), ElementsAre(0.75));
+    EXPECT_EQ(readSeries(folder.path(), "blocks").application, "contactDynamics");
+    EXPECT_FALSE(std::filesystem::exists(folder / "blocks_000001.vtp"));
+    EXPECT_THAT(VtkSeries(folder.path(), "blocks", 1, "contactDynamics").times(), ElementsAre(0.75));
+}
+
 TEST(VtkSeries, ANewRunFromZeroLeavesNoFrameOfTheOldOne)
 {
     const ScratchFolder folder;
