@@ -117,7 +117,8 @@ void readJointTolerance(const Entry& entry, Assembly<Dim>& assembly)
 {
     const auto tolerance = entry.as<double>();
     const double most = largestTolerance * meanBlockSize(assembly);
-    if (!(tolerance > 0 && tolerance <= most))
+    const bool isAnyFree = most > 0; // else that is the fault, and is reported
+    if (!(tolerance > 0 && (tolerance <= most || !isAnyFree)))
     {
         throw FatalIOError(fmt::format("jointTolerance {:g} is out of range: it must be above 0, and at most "
                                        "{:g} m, a tenth of the mean size of the blocks.",

@@ -392,7 +392,13 @@ std::vector<Overlap<Dim>> overlapsOf(const Assembly<Dim>& assembly, const CheckL
             std::min((boxes[i].upper - boxes[i].lower).norm(), (boxes[j].upper - boxes[j].lower).norm());
         const double allowed = std::min(2 * tolerance * std::pow(length, Dim - 1), 0.5 * smaller);
         largest = isTwice ? largest : std::max(largest, common / smaller);
-        if (isTwice || common > allowed)
+        // A tip has little volume: where that is allowed, its depth tells, unless there is less of it than a
+        // sharp tip of that depth has.
+        constexpr double sharpest = 1e-4;
+        const double deep = std::max(2 * tolerance, limits.depth * length);
+        const bool isDeep =
+            common > sharpest * std::pow(deep, Dim) && common <= allowed && commonDepth(a, b) > deep;
+        if (isTwice || common > allowed || isDeep)
         {
             overlaps.push_back({i, j, common, common / smaller});
         }

@@ -58,6 +58,10 @@ double extentOf(const Block<3>& block);
 double commonExtent(const Block<2>& one, const Block<2>& other, double tolerance);
 double commonExtent(const Block<3>& one, const Block<3>& other, double tolerance);
 
+/// How deep two blocks lie in each other [m].
+double commonDepth(const Block<2>& one, const Block<2>& other);
+double commonDepth(const Block<3>& one, const Block<3>& other);
+
 bool isConvexBlock(const Block<2>& block);
 bool isConvexBlock(const Block<3>& block);
 

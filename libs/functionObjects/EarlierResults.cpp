@@ -2,6 +2,7 @@
 /// Finds answers by their pictures, and frames of their series by name, number and ending.
 #include "functionObjects/EarlierResults.h"
 
+#include "core/WholeFile.h"
 #include "io/PictureFile.h"
 #include "runControl/Case.h"
 #include "runControl/CaseFiles.h"
@@ -79,6 +80,25 @@ std::vector<std::string> removeEarlierResults(const std::filesystem::path& caseD
         removed.push_back(name);
     }
     return removed;
+}
+
+void writeOrRemove(const std::filesystem::path& file, const std::string& text)
+{
+    if (!text.empty())
+    {
+        writeWholeFile(file, text);
+        return;
+    }
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+}
+
+void removeCapacityCurve(const std::filesystem::path& caseDirectory)
+{
+    const std::filesystem::path folder = caseDirectory / "postProcessing/limitAnalysis/0";
+    writeOrRemove(folder / "capacity.dat", "");
+    removePicture(folder / "capacity");
+    removeSeries(caseDirectory / "VTK", "pushover");
 }
 
 } // namespace drystone

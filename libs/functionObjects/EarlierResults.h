@@ -18,4 +18,10 @@ namespace drystone
 std::vector<std::string> removeEarlierResults(const std::filesystem::path& caseDirectory,
                                               const std::vector<std::string>& suffixes);
 
+/// Writes a table, or removes that of an earlier run where this one has none. \param text empty: none
+void writeOrRemove(const std::filesystem::path& file, const std::string& text);
+
+/// Removes the capacity curve of an earlier run: table, picture and series.
+void removeCapacityCurve(const std::filesystem::path& caseDirectory);
+
 } // namespace drystone

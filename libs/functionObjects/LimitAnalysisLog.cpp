@@ -117,7 +117,7 @@ void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis
 {
     constexpr double worthSaying = 1e-5;
     constexpr double worthWarning = 0.02;
-    if (structure.movement || result.coulomb)
+    if (structure.movement || result.coulomb || result.alpha == 0)
     {
         return;
     }
@@ -250,6 +250,16 @@ void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
     if (const std::string missing = missingForceText(structure.assembly, structure.points); !missing.empty())
     {
         printWarning(missing);
+    }
+    if (Dim == 2 && structure.contact.pointsPerJoint
+        && std::any_of(structure.program.strength.begin(), structure.program.strength.end(),
+                       [](const Strength& strength) { return strength.isBounded(); }))
+    {
+        printWarning(
+            fmt::format("Joints that crush bear at the {} points of pointsPerJoint: alpha may be more "
+                        "than the stress over whole joints gives. Without the key points are added "
+                        "where that takes them.",
+                        *structure.contact.pointsPerJoint));
     }
     info("Solver: {}, tolerance {:g}", nameOf(structure.solution.solver), structure.solution.tolerance);
     info("{}\n", machineText());

@@ -145,6 +145,8 @@ void removeLimitAnalysisResults(const std::filesystem::path& caseDirectory)
     std::error_code ignored;
     std::filesystem::remove(limitAnalysisTable(caseDirectory), ignored);
     std::filesystem::remove(limitAnalysisInput(caseDirectory), ignored);
+    writeOrRemove(limitAnalysisTable(caseDirectory).replace_filename("combinations.dat"), "");
+    removeCapacityCurve(caseDirectory);
     reportRemoved(removeEarlierResults(caseDirectory, {}));
 }
 
@@ -259,10 +261,21 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
         writeMechanismPicture(file("thrust"), assembly, std::vector<Placement<2>>(assembly.blocks.size()),
                               picture, pictures.formats);
     }
-    if (result.coulomb)
+    writeOrRemove(file("coulomb", ".dat"), result.coulomb ? coulombText(*result.coulomb) : "");
+}
+
+/// The answers of combinations of loads by their names; empty without any.
+std::string combinationsText(const std::vector<LimitAnalysis>& results)
+{
+    std::string text;
+    for (const LimitAnalysis& result : results)
     {
-        writeWholeFile(file("coulomb", ".dat"), coulombText(*result.coulomb));
+        text += result.combination.empty()
+                    ? ""
+                    : fmt::format("{} {:.12g} {}\n", result.combination, tabledAlpha(result),
+                                  static_cast<int>(result.status));
     }
+    return text.empty() ? "" : "# combination alpha[-] status[-]\n" + text;
 }
 
 } // namespace
@@ -279,15 +292,11 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
     {
         writeAnswer(caseDirectory, structure, results[i], names[i], pictures);
     }
-    if (!structure.combinations.empty())
+    writeOrRemove(limitAnalysisTable(caseDirectory).replace_filename("combinations.dat"),
+                  combinationsText(results));
+    if (!structure.pushover)
     {
-        std::string text = "# combination alpha[-] status[-]\n";
-        for (const LimitAnalysis& result : results)
-        {
-            text += fmt::format("{} {:.12g} {}\n", result.combination, tabledAlpha(result),
-                                static_cast<int>(result.status));
-        }
-        writeWholeFile(limitAnalysisTable(caseDirectory).replace_filename("combinations.dat"), text);
+        removeCapacityCurve(caseDirectory);
     }
     const std::filesystem::path folder = limitAnalysisTable(caseDirectory).parent_path();
     writeLoadCases<Dim>(folder / "loadCases.dat", structure.loads);

@@ -35,7 +35,7 @@ Polygon inMetres(const DrawnOutline& drawn, double scale, const DrawingSettings&
             refuse(file, drawn.line,
                    fmt::format(
                        "A corner is at ({:g} {:g}) m: coordinates are at most {:g} m. Correct it, or give a "
-                       "smaller scale.",
+                       "smaller scale, or an offset that brings the blocks near 0.",
                        outline.back().x(), outline.back().y(), farthestCoordinate));
         }
     }

@@ -67,7 +67,7 @@ Polyhedron placed(const Solid& solid, const SolidSettings& settings, const Impor
             refuse(file, solid.line,
                    fmt::format(
                        "A vertex is at ({:g} {:g} {:g}) m: coordinates are at most {:g} m. Correct it, or "
-                       "give a smaller scale.",
+                       "give a smaller scale, or an offset that brings the blocks near 0.",
                        place.x(), place.y(), place.z(), farthestCoordinate));
         }
         shape.vertices.push_back(place);

@@ -160,6 +160,17 @@ std::string profileFault(const Arch& arch)
                 "radius, {:g} m, such as `offset {:.3g};`.",
                 arch.radius - arch.thickness / 2, arch.radius / 5);
         }
+        // The intrados meets the axis before the centreline does, and so must the joint beside the crown not.
+        const double toCrown = std::acos(arch.offset / arch.radius);
+        const double toIntrados = std::acos(arch.offset / (arch.radius - arch.thickness / 2));
+        const double mostOfHalf = std::ceil(toCrown / (toCrown - toIntrados)) - 1;
+        if (arch.voussoirs > 2 * mostOfHalf)
+        {
+            return fmt::format(
+                "The joints beside the crown of this pointed arch would meet within its thickness: "
+                "give at most {:.0f} voussoirs, or a smaller thickness or offset.",
+                2 * mostOfHalf);
+        }
     }
     if (arch.profile == ArchProfile::elliptic)
     {
@@ -191,6 +202,11 @@ std::string voussoirsFault(const Arch& arch)
     }
     const double length = std::max(arch.radius, arch.rise) * arch.angle / 180 * EIGEN_PI; // at most
     const double least = thinnest * arch.thickness;
+    if (length < least)
+    {
+        return fmt::format("The arch is {:.2g} m long and {:g} m thick: correct radius, angle or thickness.",
+                           length, arch.thickness);
+    }
     return length < least * arch.voussoirs
                ? fmt::format("{} voussoirs are {:.2g} m thin, in an arch that is {:g} m thick: give at most "
                              "{:.0f}.",

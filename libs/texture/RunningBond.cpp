@@ -19,9 +19,10 @@ namespace
 {
 
 /// Keeps the parts of the pieces outside the interval `hole`, but those that are rounding.
+constexpr double rounding = 1e-9; // of a unit: 1.1 - 0.6 is not quite 0.5
+
 void subtract(std::vector<Interval>& pieces, const Interval& hole)
 {
-    constexpr double rounding = 1e-9; // of a unit: 1.1 - 0.6 is not quite 0.5
     std::vector<Interval> left;
     for (const Interval& piece : pieces)
     {
@@ -150,7 +151,7 @@ Assembly<2> makeAssembly(const RunningBond& bond)
         // have identical corners.
         std::vector<Interval> pieces;
         double from = 0;
-        for (int k = 0; from < bond.length; ++k)
+        for (int k = 0; from < bond.length - rounding; ++k)
         {
             const double to = std::min(bond.length, startsHalf ? k + 0.5 : k + 1.0);
             pieces.push_back({from, to});

@@ -11,7 +11,20 @@
 namespace drystone
 {
 
-std::vector<Polyhedron> voronoiCells(const Vector<3>& size, const std::vector<Vector<3>>& points)
+namespace
+{
+
+/// Voro++ distinguishes places by absolute tolerances, made for cells of about 1: what cells much smaller or
+/// larger are multiplied by, a power of two, so that no digit changes.
+double scaleOf(const Vector<3>& size, std::size_t points)
+{
+    constexpr double smallest = 0.02;
+    constexpr double largest = 20;
+    const double mean = std::cbrt(size.prod() / static_cast<double>(points));
+    return mean < smallest || mean > largest ? std::exp2(-std::round(std::log2(mean))) : 1;
+}
+
+std::vector<Polyhedron> scaledCells(const Vector<3>& size, const std::vector<Vector<3>>& points)
 {
     // Some five points in each bin of the search.
     const double bin = std::cbrt(5 * size.prod() / static_cast<double>(points.size()));
@@ -61,6 +74,27 @@ std::vector<Polyhedron> voronoiCells(const Vector<3>& size, const std::vector<Ve
                 }
             }
         } while (loop.inc());
+    }
+    return cells;
+}
+
+} // namespace
+
+std::vector<Polyhedron> voronoiCells(const Vector<3>& size, const std::vector<Vector<3>>& points)
+{
+    const double scale = scaleOf(size, points.size());
+    std::vector<Vector<3>> scaledPoints = points;
+    for (Vector<3>& point : scaledPoints)
+    {
+        point *= scale;
+    }
+    std::vector<Polyhedron> cells = scaledCells(scale * size, scaledPoints);
+    for (Polyhedron& cell : cells)
+    {
+        for (Vector<3>& vertex : cell.vertices)
+        {
+            vertex /= scale;
+        }
     }
     return cells;
 }

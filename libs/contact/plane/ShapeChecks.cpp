@@ -3,6 +3,7 @@
 #include "contact/ShapeChecks.h"
 
 #include "assembly/BlockShape.h"
+#include "contact/Penetration.h"
 #include "geometry/PolygonShape.h"
 
 #include <fmt/format.h>
@@ -21,6 +22,11 @@ double extentOf(const Block<2>& block)
 double commonExtent(const Block<2>& one, const Block<2>& other, double)
 {
     return overlapArea(one.outline, other.outline);
+}
+
+double commonDepth(const Block<2>& one, const Block<2>& other)
+{
+    return overlapDepth(one.outline, other.outline);
 }
 
 bool isConvexBlock(const Block<2>& block)

@@ -34,6 +34,11 @@ double commonExtent(const Block<3>& one, const Block<3>& other, double tolerance
                : overlapVolume(one.shape, other.shape);
 }
 
+double commonDepth(const Block<3>& one, const Block<3>& other)
+{
+    return overlapDepth(one.shape, other.shape);
+}
+
 bool isConvexBlock(const Block<3>& block)
 {
     return isConvex(block.shape);
