@@ -20,10 +20,10 @@ enum class CheckExtent
 struct CheckLimits
 {
     double jointTolerance = 1e-6; ///< edges this near are a joint; deeper overlaps are faults
-    double depth = 1e-4; ///< of the smaller block's extent: tips that reach deeper into a neighbour are
-                         ///< faults, however little both have in common
-    double gap = 1e-2;          ///< edges nearer than this that are no joint are taken for a fault
-    double gapAngle = 0.02;     ///< of the edges of such a gap, from parallel [rad]
+    double depth = 1e-4;    ///< of the smaller block's extent: tips that reach deeper into a neighbour are
+                            ///< faults, however little both have in common
+    double gap = 1e-2;      ///< edges nearer than this that are no joint are taken for a fault
+    double gapAngle = 0.02; ///< of the edges of such a gap, from parallel [rad]
     double volumeRatio = 1e-10; ///< least volume of a block, relative to the mean
     double gyration = 1e4; ///< largest polar moment of area relative to the area squared (square: 1/6); in
                            ///< space trace of the inertia relative to the volume^(5/3) (cube: 1/2)

@@ -82,6 +82,18 @@ TEST(AssemblyChecks, TheSameBlockTwiceFailsDuplicatesAndNotOverlaps)
     EXPECT_THAT(failed(onGround({rectangle(0, 0, 1, 1), rectangle(0, 0, 1, 1)})), ElementsAre("duplicates"));
 }
 
+TEST(AssemblyChecks, ATipDeepInANeighbourIsAnOverlapHoweverLittleTheyHaveInCommon)
+{
+    const auto withTipAt = [](double height)
+    {
+        return onGround({rectangle(0, 0, 1, 1),
+                         {{0.5, height}, {0.9, height + 0.6}, {0.5, height + 1.2}, {0.1, height + 0.6}}});
+    };
+    EXPECT_THAT(failed(withTipAt(1 - 9e-4)), testing::Contains("overlaps"));
+    EXPECT_THAT(failed(withTipAt(1 - 2e-6)), testing::Not(testing::Contains("overlaps")));
+    EXPECT_THAT(failed(withTipAt(1)), testing::Not(testing::Contains("overlaps")));
+}
+
 TEST(AssemblyChecks, BlocksThatOverlapByAMillimetreFailOverlaps)
 {
     EXPECT_THAT(failed(onGround({rectangle(0, 0, 0.4, 0.2), rectangle(0.399, 0, 0.8, 0.2)})),

@@ -128,6 +128,18 @@ TEST(SpaceAssemblyChecks, SliversAreFound)
     EXPECT_THAT(failed(onGround({cube, makeBox({2, 0, 0}, {3, 1, 0.0005})})), ElementsAre("slivers"));
 }
 
+TEST(SpaceAssemblyChecks, AnEdgeDeepInANeighbourIsAnOverlapHoweverLittleTheyHaveInCommon)
+{
+    const auto withEdgeAt = [](double height)
+    {
+        return onGround(
+            {cube, makePrism({{0.2, 0, height + 0.5}, {0.8, 0, height + 0.5}, {0.5, 0, height}},
+                             {{0.2, 1, height + 0.5}, {0.8, 1, height + 0.5}, {0.5, 1, height}})});
+    };
+    EXPECT_THAT(failed(withEdgeAt(1 - 1e-3)), testing::Contains("overlaps"));
+    EXPECT_THAT(failed(withEdgeAt(1)), testing::Not(testing::Contains("overlaps")));
+}
+
 TEST(SpaceAssemblyChecks, BlocksThatTouchAlongAnEdgeAreNotHeld)
 {
     const Assembly<3> assembly = onGround({cube, makeBox({1, 0, 1}, {2, 1, 2})});

@@ -131,6 +131,28 @@ class FirstDay(CaseTest):
         self.assertIn("none: they know joints only, and block 2 touches block 3 at a corner only",
                       self.call("contactDynamics", scene, "-dry-run"))
 
+    # Runs began where that of contactDynamics had ended, and no acceleration met the criterion.
+    def testAStudyBeginsAtStartTimeWhateverHasRunInItsCase(self):
+        case = self.incremental()
+        self.call("incrementalDynamics", case)
+        table = "postProcessing/incrementalDynamics/0/leastIntensity.dat"
+        alone = self.read(case, table)
+        shutil.rmtree(os.path.join(case, "postProcessing"))
+        self.call("contactDynamics", case)
+        done = self.runApplication("incrementalDynamics", case)
+        self.assertEqual(self.read(case, table), alone)
+        self.assertIn("The runs of this study begin at startTime", done.stderr)
+
+    # They stayed, and reports had the name of a combination that is no more.
+    def testTablesOfAnEarlierAnalysisAreRemoved(self):
+        case = self.case("limitAnalysis/masonryPanels/wall1")
+        folder = os.path.join(case, "postProcessing/limitAnalysis/0")
+        for name in ("combinations.dat", "coulomb.dat", "capacity.dat", "capacity.svg"):
+            os.makedirs(folder, exist_ok=True)
+            self.write(folder, name, "of an earlier run")
+        self.call("limitAnalysis", case)
+        self.assertEqual([name for name in os.listdir(folder) if name.startswith(("comb", "coul", "capa"))], [])
+
     def testAReportSaysWhichBlocksNothingHolds(self):
         ground, floating = [(-5, -1), (5, -1), (5, 0), (-5, 0)], [(0, 1), (1, 1), (1, 2), (0, 2)]
         case = self.case("limitAnalysis/masonryPanels/wall1", files={

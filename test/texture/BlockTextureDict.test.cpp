@@ -152,6 +152,11 @@ TEST(BlockTextureDict, FaultsOfOtherTexturesAreNamed)
     const std::string arch = "texture { type arch; radius 1; thickness 0.1; ";
     EXPECT_THAT(report(arch + "voussoirs 9; profile pointed; offset 0.3; }"), HasSubstr("even number"));
     EXPECT_THAT(report(arch + "voussoirs 8; profile pointed; }"), HasSubstr("offset"));
+    // It was a block that crossed itself, whose lengths were to be corrected.
+    const std::string pointed =
+        "texture { type arch; radius 1; thickness 0.12; profile pointed; offset 0.3; ";
+    EXPECT_EQ(report(pointed + "voussoirs 124; }"), "no error");
+    EXPECT_THAT(report(pointed + "voussoirs 126; }"), HasSubstr("give at most 124 voussoirs"));
     EXPECT_THAT(report(arch + "voussoirs 8; profile pointed; offset 1; }"), HasSubstr("inner radius"));
     EXPECT_THAT(report(arch + "voussoirs 8; offset 0.3; }"), HasSubstr("Only a pointed arch"));
     EXPECT_THAT(report(arch + "voussoirs 8; profile elliptic; }"), HasSubstr("rise above 0"));

@@ -65,6 +65,27 @@ TEST(Rubble, StonesAreSolidsWhereFacesOfCellsHaveNoArea)
     }
 }
 
+// Of stones of a millimetre joints were lost and others lay in each other.
+TEST(Rubble, IsTheSameAtAnyScale)
+{
+    const Rubble rubble{{2, 0.5, 2}, 60, 1, 2, 0.1};
+    const Assembly<3> wall = makeAssembly(rubble);
+    for (const double scale : {1e-4, 1e-3, 1e3})
+    {
+        Rubble scaled = rubble;
+        scaled.size *= scale;
+        const Assembly<3> other = makeAssembly(scaled);
+        EXPECT_EQ(findContactPoints(other).size(), findContactPoints(wall).size()) << scale;
+        EXPECT_TRUE(findOverlaps(other).empty()) << scale;
+        double volume = 0;
+        for (const Block<3>& block : other.blocks)
+        {
+            volume += volumeProperties(block.shape).volume;
+        }
+        EXPECT_NEAR(volume / scaled.size.prod(), 1, 1e-9) << scale;
+    }
+}
+
 TEST(Rubble, AStoneThatIsNoSolidIsReportedWithWhatToChange)
 {
     const Rubble rubble{{1, 1, 1}, 1, 17, 2, 0.1};

@@ -56,6 +56,19 @@ TEST(RunningBond, TheSixWallsOfThePaperHaveItsBlocksAndContactPoints)
     }
 }
 
+// 2.1/0.7 is 3 and the last digit more, which made a block without a length.
+TEST(RunningBond, RoundingOfItsLengthMakesNoBlock)
+{
+    RunningBond bond = paperWalls()[0].bond;
+    bond.length = 3;
+    const std::size_t blocks = makeAssembly(bond).blocks.size();
+    for (const double length : {2.1 / 0.7, 3 + 1e-10, 3 - 1e-10})
+    {
+        bond.length = length;
+        EXPECT_EQ(makeAssembly(bond).blocks.size(), blocks) << length;
+    }
+}
+
 TEST(RunningBond, OpeningsTakeAwayTheirOwnAreaAndNothingElse)
 {
     std::mt19937 random(5);
