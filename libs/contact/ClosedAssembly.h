@@ -26,4 +26,9 @@ std::string overlapText(const Overlap<Dim>& overlap);
 template<int Dim>
 void refuseOverlaps(const Assembly<Dim>& assembly, const std::filesystem::path& caseDirectory);
 
+/// The same for computations of the structure as built, which overlaps of rounded blocks are warned of where
+/// the joints between them are stated instead of found from their shapes.
+template<int Dim>
+void refuseUnstatedOverlaps(const Assembly<Dim>& assembly, const std::filesystem::path& caseDirectory);
+
 } // namespace drystone

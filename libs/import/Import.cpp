@@ -166,9 +166,10 @@ void declare(Options& options, Import<3>& settings)
         .unit("m")
         .above(0)
         .example("0.001");
-    options.optional(
-        "interfaces", settings.solid.interfaces,
-        "of a COMPAS assembly; contacts: they are the joints, instead of those found from the shapes");
+    options.optional("interfaces", settings.solid.interfaces,
+                     "of a COMPAS assembly; contacts: they are the joints, instead of those found from the "
+                     "shapes; absent: "
+                     "contacts where the file has some");
 }
 
 Assembly<2> makeAssembly(const Import<2>& settings, const fs::path& caseDirectory,

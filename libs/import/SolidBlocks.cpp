@@ -380,7 +380,8 @@ Assembly<3> solidBlocks(Solids solids, const SolidSettings& settings, const Impo
     {
         assembly.jointTolerance = tolerance;
     }
-    if (settings.interfaces == Interfaces::contacts)
+    const Interfaces usual = solids.interfaces.empty() ? Interfaces::ignored : Interfaces::contacts;
+    if (settings.interfaces.value_or(usual) == Interfaces::contacts)
     {
         if (solids.interfaces.empty())
         {
@@ -389,7 +390,8 @@ Assembly<3> solidBlocks(Solids solids, const SolidSettings& settings, const Impo
                    "contacts;`.");
         }
         stateJoints(assembly, solids, pieces, settings, file);
-        info("Import: the {} interfaces of the file are the joints", solids.interfaces.size());
+        info("Import: the {} interfaces of the file are the joints{}", solids.interfaces.size(),
+             settings.interfaces ? "" : "; with `interfaces ignored;` they are found from the shapes");
     }
     else if (!solids.interfaces.empty())
     {

@@ -42,9 +42,9 @@ struct SolidSettings
 {
     double scale = 1; ///< metres a unit of the file
     UpAxis up = UpAxis::z;
-    Vector<3> offset = Vector<3>::Zero(); ///< added to coordinates in metres, z upwards
-    std::optional<double> tolerance = {}; ///< [m]; absent: see solidBlocks
-    Interfaces interfaces = Interfaces::ignored;
+    Vector<3> offset = Vector<3>::Zero();      ///< added to coordinates in metres, z upwards
+    std::optional<double> tolerance = {};      ///< [m]; absent: see solidBlocks
+    std::optional<Interfaces> interfaces = {}; ///< absent: contacts, where the file has some
 };
 
 /// The blocks of a file, in its order, zones and, where requested, joints with them. Corners within the

@@ -115,7 +115,7 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
 template<int Dim>
 SoundStructure<Dim> soundStructure(const std::filesystem::path& caseDirectory, Assembly<Dim> assembly)
 {
-    refuseOverlaps(assembly, caseDirectory);
+    refuseUnstatedOverlaps(assembly, caseDirectory);
     refuseAlmostJoints(assembly, caseDirectory);
     requireFreeBlock(assembly, caseDirectory);
     std::vector<ContactPoint<Dim>> points = findContactPoints(assembly);
