@@ -2,6 +2,7 @@
 /// Rubble of any seed: all stones are there, each of them a solid, or it is said which are not.
 #include "texture/space/Rubble.h"
 #include "contact/AssemblyChecks.h"
+#include "contact/ContactPoint.h"
 #include "geometry/PolygonShape.h"
 #include "geometry/space/PolyhedronFault.h"
 #include "texture/Texture.h"
