@@ -69,7 +69,7 @@ TEST(SpaceAssemblyChecks, StatedJointsLieOnTheFacesOfBothBlocksAndAreComplete)
     EXPECT_THAT(failed(wide, CheckExtent::all), ElementsAre("statedJoints"));
     EXPECT_THAT(almostJointsText(wide),
                 AllOf(HasSubstr("between blocks 0 and 2"), HasSubstr("1 m off the surface of block 0"),
-                      HasSubstr("remove `interfaces contacts;`")));
+                      HasSubstr("state `interfaces ignored;`")));
 
     Assembly<3> inside = sound;
     for (Vector<3>& point : inside.statedJoints[0].points)

@@ -126,6 +126,7 @@ class FirstDay(CaseTest):
         said = "no force where block 2 touches block 3 at a corner only"
         self.assertIn(said, " ".join(done.stderr.split()))
         self.assertIn(said, self.read(case, "report.html"))
+        shutil.rmtree(case)
         scene = self.case("contactDynamics/slidingBlock/basePulse", files={
             "system/blockTextureDict": self.polygons(ground, pier, tip, beam)})
         self.assertIn("none: they know joints only, and block 2 touches block 3 at a corner only",
@@ -134,6 +135,7 @@ class FirstDay(CaseTest):
     # Runs began where that of contactDynamics had ended, and no acceleration met the criterion.
     def testAStudyBeginsAtStartTimeWhateverHasRunInItsCase(self):
         case = self.incremental()
+        self.call("caseDictionary", case, "system/controlDict", "-entry", "startFrom", "-set", "latestTime")
         self.call("incrementalDynamics", case)
         table = "postProcessing/incrementalDynamics/0/leastIntensity.dat"
         alone = self.read(case, table)
