@@ -83,7 +83,7 @@ std::string misplacedJointsText(const Assembly<3>& assembly)
         "The joint that is stated between blocks {} and {} has a point at ({:.6g} {:.6g} {:.6g}), {:.3g} m "
         "off the surface of block {}, more than {:.2g} m.{} Joints lie on the faces of both blocks; with "
         "these the answer would be that of another structure.\n\nCorrect the interface in the file, or leave "
-        "the joints to the shapes of the blocks: remove `interfaces contacts;` from "
+        "the joints to the shapes of the blocks: state `interfaces ignored;` in "
         "system/blockTextureDict. Then run blockTexture again.",
         joint.block, joint.neighbour, worst.point.x(), worst.point.y(), worst.point.z(), worst.farOff,
         worst.block, statedJointTolerance(assembly),
@@ -97,7 +97,7 @@ std::string facesWithoutStatedJointText(const Assembly<3>& assembly)
                ? ""
                : fmt::format("Blocks {} and {} share a face, and the file has no interface of them: "
                              "nothing passes between them.{} Add it there, or leave the joints to "
-                             "the shapes of the blocks: remove `interfaces contacts;`.",
+                             "the shapes of the blocks: state `interfaces ignored;`.",
                              pairs.front().first, pairs.front().second,
                              pairs.size() > 1 ? fmt::format(" {} pairs do so.", pairs.size()) : "");
 }
