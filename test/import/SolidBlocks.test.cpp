@@ -11,6 +11,7 @@
 #include "import/space/PlaneFaces.h"
 #include "import/space/Weld.h"
 #include "texture/Texture.h"
+#include "texture/space/Rubble.h"
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -337,6 +338,27 @@ TEST(SolidBlocks, InterfacesBecomeJointsWithNormalsIntoTheLowerBlock)
     solids.interfaces = {{1, 0, {{0, 0, 1}, {1, 0, 1}, {1, 1, 2}}}};
     EXPECT_THAT(test::reportOf([&] { solidBlocks(solids, settings, file); }),
                 HasSubstr("lies along no face of either"));
+}
+
+// A face that two stones share, cut into other triangles by each, is off its plane by rounding.
+TEST(SolidBlocks, StonesInSinglePrecisionArePartedWhereTheirFacesAreCutOtherwise)
+{
+    Rubble rubble;
+    rubble.size = {1, 0.4, 1};
+    rubble.stones = 30;
+    rubble.seed = 3;
+    std::vector<Polyhedron> stones;
+    for (const Block<3>& stone : makeAssembly(rubble).blocks)
+    {
+        stones.push_back(stone.shape);
+        for (Vector<3>& vertex : stones.back().vertices)
+        {
+            vertex = vertex.cast<float>().cast<double>();
+        }
+    }
+    Solids soup = soupOf(stones, 1);
+    soup.rounding = 1e-7;
+    EXPECT_EQ(solidBlocks(soup, {}, file).blocks.size(), stones.size());
 }
 
 // Interfaces name solids by their numbers in the file, which are not those of blocks once one is parted.

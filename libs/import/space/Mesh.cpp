@@ -2,10 +2,12 @@
 /// Welding, parting and turning of the faces of a mesh.
 #include "import/space/Mesh.h"
 
+#include "core/DisjointSets.h"
 #include "geometry/space/Frame.h"
 #include "import/space/Edges.h"
 #include "import/space/Weld.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -16,22 +18,8 @@ namespace drystone
 namespace
 {
 
-int rootOf(std::vector<int>& parents, int index)
-{
-    while (parents[index] != index)
-    {
-        parents[index] = parents[parents[index]];
-        index = parents[index];
-    }
-    return index;
-}
-
-void join(std::vector<int>& parents, int a, int b)
-{
-    a = rootOf(parents, a);
-    b = rootOf(parents, b);
-    parents[std::max(a, b)] = std::min(a, b); // the lowest face of a piece is its root
-}
+/// Coordinates of the formats of surfaces are mostly of single precision.
+constexpr double singleDigit = 6e-8;
 
 /// A vertex of the face that is farthest from an edge of it: its side of the edge.
 Vector<3> sideOf(const Polyhedron& mesh, const FaceEdge& edge, const Vector<3>& along)
@@ -71,9 +59,9 @@ double volumeWithin(const Polyhedron& mesh, const std::vector<int>& faces)
 /// Of more than two faces at an edge those that bound a solid across it belong together. Seen along the edge,
 /// a face that runs along it from low to high vertex has its solid on the side towards smaller angles (faces
 /// are turned outwards, counter-clockwise), one that runs back towards larger ones; where all faces are
-/// turned inside it is the other way round.
+/// turned inside it is the other way round. \param rounding of coordinates [m]
 void joinAround(const Polyhedron& mesh, EdgeIterator first, EdgeIterator last, bool areTurnedInside,
-                std::vector<int>& parents)
+                double rounding, DisjointSets& pieces)
 {
     const Vector<3> origin = mesh.vertices[first->low()];
     const Vector<3> whole = mesh.vertices[first->high()] - origin;
@@ -88,6 +76,7 @@ void joinAround(const Polyhedron& mesh, EdgeIterator first, EdgeIterator last, b
     {
         int face;
         double angle;
+        double blur; ///< of the angle, by the rounding of its corner
         bool isForward;
     };
     std::vector<Sheet> sheets;
@@ -95,10 +84,11 @@ void joinAround(const Polyhedron& mesh, EdgeIterator first, EdgeIterator last, b
     {
         const Vector<3> side = sideOf(mesh, *edge, along);
         sheets.push_back({edge->face, std::atan2(frame.col(2).dot(side), frame.col(1).dot(side)),
-                          (edge->from == edge->low()) != areTurnedInside});
+                          rounding / side.norm(), (edge->from == edge->low()) != areTurnedInside});
     }
     constexpr double turn = 2 * std::numbers::pi;
-    constexpr double sameAngle = 1e-6; // faces that lie on each other bound different solids
+    constexpr double leastAngle = 1e-6; // faces that lie on each other bound different solids
+    constexpr double mostAngle = 1e-3;
     for (const Sheet& sheet : sheets)
     {
         if (sheet.isForward)
@@ -113,6 +103,7 @@ void joinAround(const Polyhedron& mesh, EdgeIterator first, EdgeIterator last, b
             {
                 continue;
             }
+            const double sameAngle = std::clamp(2 * (sheet.blur + other.blur), leastAngle, mostAngle);
             double angle = other.angle - sheet.angle;
             angle += angle <= sameAngle ? turn : 0;
             angle += angle <= sameAngle ? turn : 0;
@@ -124,19 +115,19 @@ void joinAround(const Polyhedron& mesh, EdgeIterator first, EdgeIterator last, b
         }
         if (partner >= 0)
         {
-            join(parents, sheet.face, partner);
+            pieces.join(sheet.face, partner);
         }
     }
 }
 
 /// The faces of each piece, pieces in the order of their first faces.
-std::vector<std::vector<int>> facesOfPieces(std::vector<int>& parents)
+std::vector<std::vector<int>> facesOfPieces(DisjointSets& pieces, std::size_t faces)
 {
     std::vector<std::vector<int>> facesOf;
-    std::vector<int> pieceOf(parents.size(), -1);
-    for (int face = 0; face < static_cast<int>(parents.size()); ++face)
+    std::vector<int> pieceOf(faces, -1);
+    for (int face = 0; face < static_cast<int>(faces); ++face)
     {
-        const int root = rootOf(parents, face);
+        const int root = pieces.firstOf(face);
         if (pieceOf[root] < 0)
         {
             pieceOf[root] = static_cast<int>(facesOf.size());
@@ -147,29 +138,21 @@ std::vector<std::vector<int>> facesOfPieces(std::vector<int>& parents)
     return facesOf;
 }
 
-/// Each face a piece of its own.
-std::vector<int> singleFaces(const Polyhedron& mesh)
-{
-    std::vector<int> parents(mesh.faces.size());
-    std::iota(parents.begin(), parents.end(), 0);
-    return parents;
-}
-
 /// Whether a face is one of a heap of solids, touching each other, that enclose a negative volume, as in a
 /// model that was mirrored.
 std::vector<bool> turnedInside(const Polyhedron& mesh, const std::vector<FaceEdge>& edges)
 {
-    std::vector<int> parents = singleFaces(mesh);
+    DisjointSets heaps(mesh.faces.size());
     visitEdges(edges,
                [&](EdgeIterator first, EdgeIterator last)
                {
                    for (auto edge = first; edge != last; ++edge)
                    {
-                       join(parents, first->face, edge->face);
+                       heaps.join(first->face, edge->face);
                    }
                });
     std::vector<bool> isTurned(mesh.faces.size());
-    for (const std::vector<int>& faces : facesOfPieces(parents))
+    for (const std::vector<int>& faces : facesOfPieces(heaps, mesh.faces.size()))
     {
         const bool isNegative = volumeWithin(mesh, faces) < 0;
         for (const int face : faces)
@@ -264,7 +247,12 @@ Polyhedron welded(const Polyhedron& mesh, double tolerance)
 
 std::vector<Polyhedron> parted(const Polyhedron& mesh)
 {
-    std::vector<int> parents = singleFaces(mesh);
+    DisjointSets joined(mesh.faces.size());
+    double largest = 0;
+    for (const Vector<3>& vertex : mesh.vertices)
+    {
+        largest = std::max(largest, vertex.lpNorm<Eigen::Infinity>());
+    }
     const std::vector<FaceEdge> edges = sortedEdges(mesh);
     const std::vector<bool> isTurnedInside = turnedInside(mesh, edges);
     visitEdges(edges,
@@ -273,16 +261,17 @@ std::vector<Polyhedron> parted(const Polyhedron& mesh)
                    constexpr int most = 64; // more faces at an edge are of no solids that one builds with
                    if (last - first == 2)
                    {
-                       join(parents, first->face, std::next(first)->face);
+                       joined.join(first->face, std::next(first)->face);
                    }
                    else if (last - first <= most)
                    {
-                       joinAround(mesh, first, last, isTurnedInside[first->face], parents);
+                       joinAround(mesh, first, last, isTurnedInside[first->face], singleDigit * largest,
+                                  joined);
                    }
                });
     std::vector<Polyhedron> pieces;
     std::vector<int> newIndex(mesh.vertices.size());
-    for (const std::vector<int>& faces : facesOfPieces(parents))
+    for (const std::vector<int>& faces : facesOfPieces(joined, mesh.faces.size()))
     {
         pieces.push_back(withFaces(mesh, faces, newIndex));
     }
