@@ -160,17 +160,6 @@ std::string profileFault(const Arch& arch)
                 "radius, {:g} m, such as `offset {:.3g};`.",
                 arch.radius - arch.thickness / 2, arch.radius / 5);
         }
-        // The intrados meets the axis before the centreline does, and so must the joint beside the crown not.
-        const double toCrown = std::acos(arch.offset / arch.radius);
-        const double toIntrados = std::acos(arch.offset / (arch.radius - arch.thickness / 2));
-        const double mostOfHalf = std::ceil(toCrown / (toCrown - toIntrados)) - 1;
-        if (arch.voussoirs > 2 * mostOfHalf)
-        {
-            return fmt::format(
-                "The joints beside the crown of this pointed arch would meet within its thickness: "
-                "give at most {:.0f} voussoirs, or a smaller thickness or offset.",
-                2 * mostOfHalf);
-        }
     }
     if (arch.profile == ArchProfile::elliptic)
     {
@@ -189,6 +178,25 @@ std::string profileFault(const Arch& arch)
         }
     }
     return {};
+}
+
+/// Of a pointed arch the intrados meets the axis before the centreline does: the joints beside the crown must
+/// not, or they cross it.
+std::string crownFault(const Arch& arch)
+{
+    const double inner = arch.radius - arch.thickness / 2;
+    if (arch.profile != ArchProfile::pointed || !(arch.offset < inner))
+    {
+        return {};
+    }
+    const double toCrown = std::acos(arch.offset / arch.radius);
+    const double toIntrados = std::acos(arch.offset / inner);
+    const double most = 2 * (std::ceil(toCrown / (toCrown - toIntrados)) - 1);
+    return arch.voussoirs > most ? fmt::format(
+               "The joints beside the crown of this pointed arch would meet within its thickness: "
+               "give at most {:.0f} voussoirs, or a smaller thickness or offset.",
+               most)
+                                 : "";
 }
 
 /// Voussoirs like sheets of paper are a typing error, and each would have thousands of others within its
@@ -221,6 +229,7 @@ void declare(Options& options, Arch& arch)
 {
     declareSection(options, arch);
     options.optional("depth", arch.depth, "out of plane").unit("m").above(0);
+    options.check("voussoirs", [&arch] { return crownFault(arch); });
 }
 
 void declareSection(Options& options, Arch& arch)
