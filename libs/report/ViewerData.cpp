@@ -151,7 +151,7 @@ std::string viewerMarkup(std::string_view json, std::string_view id)
 <label>magnification <input name="magnification" type="number" min="0" step="any" value="1" size="8"></label>
 <label>colour <select name="quantity"><option value="none">none</option><option>displacement</option>
 <option>rotation</option></select></label>
-<span class="scale" hidden></span>
+<span class="scale" style="white-space:nowrap" hidden></span>
 </div>
 <p class="readout"></p>
 </div>
