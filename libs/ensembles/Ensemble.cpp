@@ -103,6 +103,21 @@ void requireScripts(const Ensemble& ensemble, const fs::path& caseDirectory)
     }
 }
 
+/// Refuses a table that limitAnalysis does not write.
+void requireTableOfCollapse(const std::filesystem::path& table, const SourceLocation& place)
+{
+    const std::vector<std::string> written{"limitAnalysis", "thrust",    "combinations", "coulomb",
+                                           "movingLoad",    "loadCases", "capacity"};
+    const std::string name = table.stem().string();
+    const bool isOurs = std::any_of(written.begin(), written.end(),
+                                    [&](const std::string& one) { return name.starts_with(one); });
+    if (table.parent_path() == std::filesystem::path(limitAnalysisTableName).parent_path()
+        && !(isOurs && table.extension() == ".dat"))
+    {
+        throw FatalIOError(unknownWordMessage("table of limitAnalysis", name, written), place);
+    }
+}
+
 /// Refuses results that the applications do not have.
 void requireResults(const Ensemble& ensemble)
 {
@@ -119,6 +134,14 @@ void requireResults(const Ensemble& ensemble)
                     name),
                 place);
         }
+        const bool hasScripts =
+            std::any_of(ensemble.settings.applications.begin(), ensemble.settings.applications.end(),
+                        [](const std::string& word) { return word.find('/') != word.npos; });
+        if (figure.table && ensemble.settings.runs("limitAnalysis") && !hasScripts)
+        {
+            requireTableOfCollapse(figure.table->table,
+                                   ensemble.dictionary.subDict("results").subDict(name).locationOf("table"));
+        }
         if (figure.ofCollapse && ensemble.settings.runs("limitAnalysis"))
         {
             const std::vector<std::string_view> headings = limitAnalysisHeadings();
@@ -130,9 +153,7 @@ void requireResults(const Ensemble& ensemble)
                                    ensemble.dictionary.subDict("results").subDict(name).locationOf("column"));
             }
         }
-        else if (figure.ofCollapse && !ensemble.settings.runs("parameterSearch")
-                 && std::none_of(ensemble.settings.applications.begin(), ensemble.settings.applications.end(),
-                                 [](const std::string& word) { return word.find('/') != word.npos; }))
+        else if (figure.ofCollapse && !ensemble.settings.runs("parameterSearch") && !hasScripts)
         {
             throw FatalIOError(fmt::format("The result {} is one of limitAnalysis, which is not among the "
                                            "applications.",
