@@ -114,7 +114,7 @@ void requireTableOfCollapse(const std::filesystem::path& table, const SourceLoca
     if (table.parent_path() == std::filesystem::path(limitAnalysisTableName).parent_path()
         && !(isOurs && table.extension() == ".dat"))
     {
-        throw FatalIOError(unknownWordMessage("table of limitAnalysis", name, written), place);
+        throw FatalIOError(unknownWordMessage("limitAnalysis table", name, written), place);
     }
 }
 

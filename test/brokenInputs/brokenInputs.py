@@ -647,7 +647,7 @@ brokenInputs = [
     inEnsemble("impossibleCorrelation", "0.2)", "1.2)", r"cannot have the correlation"),
     inEnsemble("unknownDesign", "latinHypercube", "latinHypercub", r"Did you mean latinHypercube\?"),
     inEnsemble("noSamples", "samples 4", "samples 0", r"samples", r"1"),
-    inEnsemble("unknownTable", "0/limitAnalysis.dat", "0/limit.dat", r"Unknown table of limitAnalysis limit", r"limitAnalysis"),
+    inEnsemble("unknownTable", "0/limitAnalysis.dat", "0/limit.dat", r"Unknown limitAnalysis table limit", r"limitAnalysis"),
     inEnsemble("unknownColumn", "column alpha", "column alfa", r"has no column alfa", r"alpha\[-\]"),
     inEnsemble("figureOfAMotion", "table \"postProcessing/limitAnalysis/0/limitAnalysis.dat\";", "type rotation;@@",
                r"figure of a motion|Unknown", lines=range(27, 34)),
