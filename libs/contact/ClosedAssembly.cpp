@@ -53,12 +53,13 @@ void refuseUnstatedOverlaps(const Assembly<Dim>& assembly, const std::filesystem
         refuseOverlaps(assembly, caseDirectory);
         return;
     }
-    printWarning(
+    printWarningOnce(
         fmt::format("Blocks {} and {} overlap by {:.3g} of the smaller one{}. Their joints are those "
                     "that the file states, so that forces do not depend on it; checkBlocks lists all "
                     "overlaps.",
                     overlaps.front().block, overlaps.front().neighbour, overlaps.front().fraction,
-                    overlaps.size() > 1 ? fmt::format(", and {} pairs more", overlaps.size() - 1) : ""));
+                    overlaps.size() > 1 ? fmt::format(", and {} pairs more", overlaps.size() - 1) : ""),
+        blockPlaces<Dim>(caseDirectory)[overlaps.front().neighbour]);
 }
 
 template<int Dim>

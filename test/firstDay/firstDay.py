@@ -145,6 +145,17 @@ class FirstDay(CaseTest):
         self.assertEqual(self.read(case, table), alone)
         self.assertIn("The runs of this study begin at startTime", done.stderr)
 
+    # Its blocks are in each other by up to 0.7 mm: refused, unless interfaces and a tolerance were stated.
+    def testAPublishedAssemblyIsComputedAsItIs(self):
+        published = os.path.join(tutorials, "limitAnalysis/space/importedAssemblies")
+        case = self.case("limitAnalysis/space/importedAssemblies/structure", files={
+            "constant/contactProperties": header % "contactProperties" + "friction { type Coulomb; mu 0.7; }",
+            "system/blockTextureDict": header % "blockTextureDict" + "dimensions 3; texture { type import; format auto; file "
+                                       f"\"{published}/structures/crossvault_assembly.json\"; }} supports {{ i {{ type import; }} }}"})
+        done = self.runApplication("limitAnalysis", case)
+        self.assertRegex(done.stdout, r"(?m)^Collapse load multiplier alpha = 0\.43951[0-9]*$")
+        self.assertIn("Their joints are those that the file states", done.stderr)
+
     # They stayed, and reports had the name of a combination that is no more.
     def testTablesOfAnEarlierAnalysisAreRemoved(self):
         case = self.case("limitAnalysis/masonryPanels/wall1")
