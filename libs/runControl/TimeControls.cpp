@@ -50,7 +50,9 @@ void declareStartAndStop(Options& options, TimeControls& controls)
 {
     options.optional("application", controls.application, "the application that this case is made for");
     options.question("application", [&controls] { return doubtOfApplication(controls.application); });
-    options.optional("startFrom", controls.startFrom, "where a run starts or continues");
+    options.optional(
+        "startFrom", controls.startFrom,
+        "where a run starts or continues; the runs of a study begin at startTime instead of latestTime");
     options.optional("startTime", controls.startTime, "for `startFrom startTime`").unit("s");
     options.optional("stopAt", controls.stopAt, "when a run ends");
 }
