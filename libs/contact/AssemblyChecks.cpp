@@ -281,11 +281,6 @@ CheckResult checkTouches(const Assembly<Dim>& assembly, const Findings<Dim>& fin
                          const CheckLimits& limits)
 {
     const double tolerance = limits.jointTolerance * findings.size;
-    std::set<std::pair<int, int>> jointed;
-    for (const ContactPoint<Dim>& point : findings.points)
-    {
-        jointed.emplace(point.block, point.neighbour);
-    }
     std::vector<char> isLoose(assembly.blocks.size(), false);
     for (const int block : blocksWithoutSupport(assembly, findings.points))
     {
@@ -293,13 +288,8 @@ CheckResult checkTouches(const Assembly<Dim>& assembly, const Findings<Dim>& fin
     }
     CheckResult result{Dim == 2 ? "cornerTouches" : "edgeTouches", "", 0, {}};
     int usual = 0;
-    for (const auto& [first, second] : findings.near)
+    for (const auto& [first, second] : pairsWithoutJoint(assembly, findings.near, findings.points))
     {
-        const bool bothFixed = assembly.blocks[first].support >= 0 && assembly.blocks[second].support >= 0;
-        if (bothFixed || jointed.contains({first, second}))
-        {
-            continue;
-        }
         // Joints hold both blocks, or neither: what lacks is not that these two have none.
         if (isLoose[first] == isLoose[second]
             && meetAtEdges(assembly.blocks[first], assembly.blocks[second], tolerance))

@@ -41,6 +41,17 @@ std::string overlapText(const Overlap<Dim>& overlap)
             : "");
 }
 
+namespace
+{
+
+template<int Dim>
+[[noreturn]] void refuse(const Overlap<Dim>& overlap, const std::filesystem::path& caseDirectory)
+{
+    throw FatalIOError(overlapText(overlap), blockPlaces<Dim>(caseDirectory)[overlap.neighbour]);
+}
+
+} // namespace
+
 template<int Dim>
 void refuseUnstatedOverlaps(const Assembly<Dim>& assembly, const std::filesystem::path& caseDirectory)
 {
@@ -48,10 +59,13 @@ void refuseUnstatedOverlaps(const Assembly<Dim>& assembly, const std::filesystem
     const bool areRounded =
         std::all_of(overlaps.begin(), overlaps.end(),
                     [](const Overlap<Dim>& overlap) { return overlap.fraction < ofRounding; });
-    if (overlaps.empty() || assembly.statedJoints.empty() || !areRounded)
+    if (overlaps.empty())
     {
-        refuseOverlaps(assembly, caseDirectory);
         return;
+    }
+    if (assembly.statedJoints.empty() || !areRounded)
+    {
+        refuse(overlaps.front(), caseDirectory);
     }
     printWarningOnce(
         fmt::format("Blocks {} and {} overlap by {:.3g} of the smaller one{}. Their joints are those "
@@ -68,8 +82,7 @@ void refuseOverlaps(const Assembly<Dim>& assembly, const std::filesystem::path& 
     const std::vector<Overlap<Dim>> overlaps = findOverlaps(assembly);
     if (!overlaps.empty())
     {
-        throw FatalIOError(overlapText(overlaps.front()),
-                           blockPlaces<Dim>(caseDirectory)[overlaps.front().neighbour]);
+        refuse(overlaps.front(), caseDirectory);
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -47,6 +48,29 @@ std::vector<std::pair<int, int>> blocksWithin(const Assembly<Dim>& assembly, dou
         boxes.push_back(enlarged<Dim>(boundingBox(block), distance));
     }
     return findMeetingPairs(boxes);
+}
+
+/// Of pairs of blocks those that no contact point joins and of which one is free at least.
+template<int Dim>
+std::vector<std::pair<int, int>> pairsWithoutJoint(const Assembly<Dim>& assembly,
+                                                   const std::vector<std::pair<int, int>>& pairs,
+                                                   const std::vector<ContactPoint<Dim>>& points)
+{
+    std::set<std::pair<int, int>> jointed;
+    for (const ContactPoint<Dim>& point : points)
+    {
+        jointed.emplace(point.block, point.neighbour);
+    }
+    std::vector<std::pair<int, int>> without;
+    for (const auto& [first, second] : pairs)
+    {
+        const bool bothFixed = assembly.blocks[first].support >= 0 && assembly.blocks[second].support >= 0;
+        if (!bothFixed && !jointed.contains({first, second}))
+        {
+            without.emplace_back(first, second);
+        }
+    }
+    return without;
 }
 
 /// Area of a block of the plane [m2], volume of one of space [m3].

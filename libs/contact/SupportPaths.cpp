@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 namespace drystone
@@ -86,17 +85,11 @@ template<int Dim>
 std::string touchWithoutJoint(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points)
 {
     const double tolerance = CheckLimits{}.jointTolerance * meanBlockSize(assembly);
-    std::set<std::pair<int, int>> jointed;
-    for (const ContactPoint<Dim>& point : points)
-    {
-        jointed.emplace(point.block, point.neighbour);
-    }
-    for (const auto& [first, second] : blocksWithin(assembly, tolerance))
+    for (const auto& [first, second] : pairsWithoutJoint(assembly, blocksWithin(assembly, tolerance), points))
     {
         const Block<Dim>& one = assembly.blocks[first];
         const Block<Dim>& other = assembly.blocks[second];
-        const bool bothFixed = one.support >= 0 && other.support >= 0;
-        if (bothFixed || jointed.contains({first, second}) || meetAtEdges(one, other, tolerance))
+        if (meetAtEdges(one, other, tolerance))
         {
             continue;
         }

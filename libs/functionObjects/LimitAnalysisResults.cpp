@@ -142,9 +142,8 @@ void reportRemoved(const std::vector<std::string>& names)
 
 void removeLimitAnalysisResults(const std::filesystem::path& caseDirectory)
 {
-    std::error_code ignored;
-    std::filesystem::remove(limitAnalysisTable(caseDirectory), ignored);
-    std::filesystem::remove(limitAnalysisInput(caseDirectory), ignored);
+    writeOrRemove(limitAnalysisTable(caseDirectory), "");
+    writeOrRemove(limitAnalysisInput(caseDirectory), "");
     writeOrRemove(limitAnalysisTable(caseDirectory).replace_filename("combinations.dat"), "");
     removeCapacityCurve(caseDirectory);
     reportRemoved(removeEarlierResults(caseDirectory, {}));

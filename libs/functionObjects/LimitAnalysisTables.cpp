@@ -4,6 +4,7 @@
 
 #include "contact/Facing.h"
 #include "core/WholeFile.h"
+#include "functionObjects/EarlierResults.h"
 #include "functionObjects/LoadMeaning.h"
 #include "quantities/LimitAnalysisFigures.h"
 
@@ -136,8 +137,7 @@ void writeLoadCases(const std::filesystem::path& file, const LoadVectors& loads)
 {
     if (loads.cases.empty())
     {
-        std::error_code ignored;
-        std::filesystem::remove(file, ignored);
+        writeOrRemove(file, "");
         return;
     }
     std::string text = fmt::format("# case fx[N] fy[N]{}\n", Dim == 3 ? " fz[N]" : "");

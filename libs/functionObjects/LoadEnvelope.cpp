@@ -5,6 +5,7 @@
 #include "assembly/BlockShape.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"
+#include "functionObjects/EarlierResults.h"
 #include "io/Plot.h"
 #include "quantities/LimitAnalysisFigures.h"
 
@@ -187,8 +188,7 @@ void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<
     removePicture(picture);
     if (structure.envelope.empty())
     {
-        std::error_code ignored;
-        std::filesystem::remove(table, ignored);
+        writeOrRemove(table, "");
         return;
     }
     std::string text =
