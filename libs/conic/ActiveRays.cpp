@@ -255,10 +255,15 @@ private:
 
 } // namespace
 
+bool areFew(const PlaneConeProgram& program)
+{
+    return program.bodies <= mostBodies && program.points() <= mostPoints;
+}
+
 std::optional<ConeSolution> solveByActiveRays(const PlaneConeProgram& program, const ConeSolution& start,
                                               double tolerance)
 {
-    if (program.bodies > mostBodies || program.points() > mostPoints)
+    if (!areFew(program))
     {
         return std::nullopt;
     }

@@ -11,6 +11,9 @@
 namespace drystone
 {
 
+/// Whether a program has no more bodies and points than are solved so.
+bool areFew(const PlaneConeProgram& program);
+
 /// Solves a program of the plane with inertia by the rays of the friction cones that are active. Each point
 /// has the rays d = (1, mu) and (1, -mu), the normal alone without friction. With B = A D, s >= 0 the forces
 /// along rays and a set of them that carry,
@@ -24,7 +27,7 @@ namespace drystone
 /// \param program without multiplier, strength or compliance
 /// \param start of which the forces say where to begin
 /// \param tolerance of the certificate
-/// \return nothing where more than a few bodies or rays take part, forces are not unique or the set does not
+/// \return nothing where bodies or points are not few, forces are not unique or the set does not
 /// settle; else the solution, `optimal` by its certificate
 std::optional<ConeSolution> solveByActiveRays(const PlaneConeProgram& program, const ConeSolution& start,
                                               double tolerance);

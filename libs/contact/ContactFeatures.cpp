@@ -204,17 +204,19 @@ void MovingContacts<2>::list(const Candidate& candidate)
     candidates.push_back(candidate);
 }
 
+/// Most pairs of parallel edges are far apart. Within 15 degrees no gap lies beyond those of the ends by a
+/// tenth.
+inline bool MovingContacts<2>::mayMeet(int blockEdge, int neighbourEdge, double lowest, double margin) const
+{
+    const Vector<2> normal = outwardNormal(placedNow.tangent[neighbourEdge]);
+    const Vector<2>& corner = placedNow.corner[neighbourEdge];
+    const double firstGap = (placedNow.corner[blockEdge] - corner).dot(normal);
+    const double lastGap = (placedNow.corner[next[blockEdge]] - corner).dot(normal);
+    return std::min(firstGap, lastGap) <= 1.1 * margin && std::max(firstGap, lastGap) >= 1.1 * lowest;
+}
+
 void MovingContacts<2>::matchEdges(int blockEdge, int neighbourEdge, double lowest, double margin)
 {
-    // Most pairs of parallel edges are far apart. Within 15 degrees no gap lies beyond those of the ends by a
-    // tenth.
-    const Vector<2> normal = outwardNormal(placedNow.tangent[neighbourEdge]);
-    const double firstGap = (placedNow.corner[blockEdge] - placedNow.corner[neighbourEdge]).dot(normal);
-    const double lastGap = (placedNow.corner[next[blockEdge]] - placedNow.corner[neighbourEdge]).dot(normal);
-    if (std::min(firstGap, lastGap) > 1.1 * margin || std::max(firstGap, lastGap) < 1.1 * lowest)
-    {
-        return;
-    }
     // Both edges are measured along their common direction. It halves the angle between them, so that neither
     // is preferred, and of two corners that face each other at an end of the piece exactly one is the inner
     // one.
@@ -412,19 +414,28 @@ void MovingContacts<2>::findPoints(int block, int neighbour, double margin)
     const int endOfBlock = first[block + 1];
     const int beginOfNeighbour = first[neighbour];
     const int endOfNeighbour = first[neighbour + 1];
+    // Square blocks side by side have no pairs of edges between these two; a corner can stand on an edge only
+    // beside such a pair.
+    constexpr double leastOblique = 1e-3;
     for (int blockEdge = first[block]; blockEdge < endOfBlock; ++blockEdge)
     {
-        const Vector<2> along = tangent[blockEdge];
+        const double x = tangent[blockEdge].x(); // no vector: one product of two numbers for each pair
+        const double y = tangent[blockEdge].y();
         for (int neighbourEdge = beginOfNeighbour; neighbourEdge < endOfNeighbour; ++neighbourEdge)
         {
-            const double opposing = -along.dot(tangent[neighbourEdge]);
-            if (opposing >= leastOpposing)
+            const double opposing = -(x * tangent[neighbourEdge].x() + y * tangent[neighbourEdge].y());
+            if (opposing <= leastOblique)
+            {
+                continue;
+            }
+            if (opposing < leastOpposing)
+            {
+                anyOblique = true;
+            }
+            else if (mayMeet(blockEdge, neighbourEdge, lowest, margin))
             {
                 matchEdges(blockEdge, neighbourEdge, lowest, margin);
             }
-            // Square blocks side by side have no other pairs; a corner can stand on an edge only beside such
-            // a pair.
-            anyOblique = anyOblique || (opposing > 1e-3 && opposing < leastOpposing);
         }
     }
     if (anyOblique)

@@ -182,6 +182,7 @@ private:
     void list(const Candidate& candidate);
     void dropDeeper();
     // What it asks.
+    bool mayMeet(int blockEdge, int neighbourEdge, double lowest, double margin) const;
     Candidate measured(int owner, int corner, int edge, int pairedEdge) const;
     int nearerEnd(const Candidate& candidate) const;
     bool isForemost(const Candidate& candidate, const Outlines& at, double angle) const;

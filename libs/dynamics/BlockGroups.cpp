@@ -2,6 +2,7 @@
 /// The program of groups of blocks: sums over each of them, and rigid motions back.
 #include "dynamics/BlockGroups.h"
 
+#include "conic/ActiveRays.h"
 #include "dynamics/MovingGeometry.h"
 #include "geometry/Rotation.h"
 
@@ -346,6 +347,23 @@ StepProgram<Dim> programOfGroups(const BlockGroups<Dim>& groups, const StepProgr
     return program;
 }
 
+namespace
+{
+
+/// Few bodies are solved by their active rays, which pass no interior: one kept from an earlier step would be
+/// carried from step to step and grow old.
+bool needsNoInterior(const StepProgram<2>& program)
+{
+    return areFew(program);
+}
+
+bool needsNoInterior(const StepProgram<3>& /*program*/)
+{
+    return false;
+}
+
+} // namespace
+
 template<int Dim>
 StepGuess guessOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& ofBlocks,
                         const StepProgram<Dim>& program, const StepGuess& guess)
@@ -359,7 +377,7 @@ StepGuess guessOfGroups(const BlockGroups<Dim>& groups, const StepProgram<Dim>& 
     StepGuess own;
     own.displacement = ofGroups(guess.displacement);
     own.contactForce = takenFrom<Dim>(groups.outer, guess.contactForce);
-    if (!guess.interior.isEmpty())
+    if (!guess.interior.isEmpty() && !needsNoInterior(program))
     {
         own.interior = {takenFrom<Dim>(groups.outer, guess.interior.contactForce),
                         takenFrom<Dim>(groups.outer, guess.interior.opening),
@@ -394,17 +412,26 @@ std::vector<char> blocksThatMatter(const BlockGroups<Dim>& groups, const StepPro
     return atPoints;
 }
 
+/// T'f with the momenta of the end of a step, which only blocks that turn in space change. \param ofGroups
+/// their program as it was made
+template<int Dim>
+Eigen::VectorXd loadAtEnd(const BlockGroups<Dim>& groups, const StepProgram<Dim>& ofBlocks,
+                          const StepProgram<Dim>& ofGroups)
+{
+    return Dim == 2 ? ofGroups.load : rowsOfGroups(groups, ofBlocks.load);
+}
+
 } // namespace
 
 template<int Dim>
 Relinearisation<Dim> relinearisationOfGroups(const Step<Dim>& step, const BlockGroups<Dim>& groups,
-                                             StepProgram<Dim>& ofBlocks)
+                                             StepProgram<Dim>& ofBlocks, const StepProgram<Dim>& ofGroups)
 {
     if (!step.relinearise)
     {
         return {};
     }
-    return [&step, &groups, &ofBlocks, which = blocksThatMatter<Dim>(groups, ofBlocks)](
+    return [&step, &groups, &ofBlocks, &ofGroups, which = blocksThatMatter<Dim>(groups, ofBlocks)](
                const Eigen::VectorXd& displacement, const Eigen::VectorXd& contactForce,
                StepProgram<Dim>& program)
     {
@@ -414,7 +441,7 @@ Relinearisation<Dim> relinearisationOfGroups(const Step<Dim>& step, const BlockG
             std::swap(ofBlocks.gap, program.gap);
             const double error = step.relinearise(y, contactForce, ofBlocks);
             program.gap = ofBlocks.gap;
-            program.load = rowsOfGroups(groups, ofBlocks.load);
+            program.load = loadAtEnd(groups, ofBlocks, ofGroups);
             return error;
         }
         // The gaps at the end that the groups have predicted: g - A'y of the blocks, A'h of it by bending.
@@ -423,7 +450,7 @@ Relinearisation<Dim> relinearisationOfGroups(const Step<Dim>& step, const BlockG
         ofBlocks.gap = program.gap + bent;
         const double error = step.relinearise(y, contactForce, ofBlocks);
         program.gap = ofBlocks.gap - bent;
-        Eigen::VectorXd load = rowsOfGroups(groups, ofBlocks.load);
+        Eigen::VectorXd load = loadAtEnd(groups, ofBlocks, ofGroups);
         bending.takeLoad(load);
         const double moved =
             farthestMotion<Dim>(displacementUnder(program, load - program.load), step.scene.blockSize);
@@ -440,7 +467,7 @@ Eigen::VectorXd balancedDisplacement(const BlockGroups<Dim>& groups, const StepP
     constexpr int mostRounds = 8; // each leaves of the last the part by which a group turns
     constexpr double lastDigits = 1e-15;
     const Eigen::VectorXd straight =
-        rowsOfGroups(groups, ofBlocks.load) - applyEquilibrium(program, contactForce);
+        loadAtEnd(groups, ofBlocks, program) - applyEquilibrium(program, contactForce);
     for (int round = 0; round < mostRounds; ++round)
     {
         Eigen::VectorXd rows = straight;
@@ -468,7 +495,7 @@ template StepProgram<2> programOfGroups(const BlockGroups<2>& groups, const Step
 template StepGuess guessOfGroups(const BlockGroups<2>& groups, const StepProgram<2>& ofBlocks,
                                  const StepProgram<2>& program, const StepGuess& guess);
 template Relinearisation<2> relinearisationOfGroups(const Step<2>& step, const BlockGroups<2>& groups,
-                                                    StepProgram<2>& ofBlocks);
+                                                    StepProgram<2>& ofBlocks, const StepProgram<2>& ofGroups);
 template Eigen::VectorXd balancedDisplacement(const BlockGroups<2>& groups, const StepProgram<2>& ofBlocks,
                                               const StepProgram<2>& program,
                                               const Eigen::VectorXd& contactForce, Eigen::VectorXd ofGroups);
@@ -484,7 +511,7 @@ template StepProgram<3> programOfGroups(const BlockGroups<3>& groups, const Step
 template StepGuess guessOfGroups(const BlockGroups<3>& groups, const StepProgram<3>& ofBlocks,
                                  const StepProgram<3>& program, const StepGuess& guess);
 template Relinearisation<3> relinearisationOfGroups(const Step<3>& step, const BlockGroups<3>& groups,
-                                                    StepProgram<3>& ofBlocks);
+                                                    StepProgram<3>& ofBlocks, const StepProgram<3>& ofGroups);
 template Eigen::VectorXd balancedDisplacement(const BlockGroups<3>& groups, const StepProgram<3>& ofBlocks,
                                               const StepProgram<3>& program,
                                               const Eigen::VectorXd& contactForce, Eigen::VectorXd ofGroups);

@@ -88,7 +88,8 @@ BodiesStep<Dim> solveBodies(Step<Dim>& step, BlockGroups<Dim> groups, const Grou
     const std::vector<char> creeps = creepingBodies(bodies.groups, choice);
     const double kept = keptGap(step);
     closeOverlaps<Dim>(creeps, kept, bodies.program);
-    const Relinearisation<Dim> ofGroups = relinearisationOfGroups(step, bodies.groups, bodies.ofBlocks);
+    const Relinearisation<Dim> ofGroups =
+        relinearisationOfGroups(step, bodies.groups, bodies.ofBlocks, bodies.program);
     Relinearisation<Dim> closed;
     if (ofGroups)
     {

@@ -82,14 +82,13 @@ bool solveOnce(ThetaStep& step, const StepProgram<Dim>& program, const SolverCho
         {
             return false;
         }
-        ConeSolution balanced = solution;
-        balanced.displacement = displacementUnder(program, outOfBalance);
-        const Certificate certificate = certifyOptimal(program, balanced);
-        isBalanced = certificate.worst() <= solver.tolerance;
-        if (isBalanced)
+        Eigen::VectorXd found = std::move(solution.displacement);
+        solution.displacement = displacementUnder(program, outOfBalance);
+        step.certificate = certifyOptimal(program, solution);
+        isBalanced = step.certificate.worst() <= solver.tolerance;
+        if (!isBalanced)
         {
-            step.certificate = certificate;
-            solution = std::move(balanced);
+            solution.displacement = std::move(found);
         }
     }
     if (!isBalanced)
@@ -161,6 +160,7 @@ private:
     bool creeps() const;
     void chooseFollowing();
     void chooseStart();
+    void expectSliding();
     bool beginsAtRest() const;
     bool staysAtRest();
     bool isNewtonsTurn() const;
@@ -186,8 +186,8 @@ private:
     Following fromLastStep = Following::fromAnyForces;
     Following afterProgram = Following::fromAnyForces; ///< from that of the first program
     ConeSolution start;
-    Eigen::VectorXd expected; ///< motion of the blocks, by the guess
-    Eigen::VectorXd imposed;  ///< share of the gaps that Coulomb's law opens, one a point
+    Eigen::VectorXd expected; ///< motion of the blocks, by the guess; of Coulomb's law
+    Eigen::VectorXd imposed;  ///< share of the gaps that it opens, one a point
     Eigen::VectorXd gap;      ///< of the program without that share
     AcceleratedIteration fixedPoint;
 };
@@ -274,14 +274,23 @@ void StepSearch<Dim>::chooseStart()
         start.displacement =
             displacementUnder(program, program.load - applyEquilibrium(program, start.contactForce));
     }
-    imposed = isCoulomb && isGuessed
-                  ? dilatancy(program, applyTransposed(program, guess.displacement), start.contactForce)
-                  : Eigen::VectorXd(Eigen::VectorXd::Zero(program.points()));
+    if (isCoulomb)
+    {
+        expectSliding();
+    }
     if (relinearise && isGuessed)
     {
         // About the expected motion, so that what is left is of second order in the acceleration of blocks.
         relinearise(guess.displacement, start.contactForce, program);
     }
+}
+
+/// What Coulomb's law asks of a guess: where the blocks will be, and how far points open by sliding there.
+template<int Dim>
+void StepSearch<Dim>::expectSliding()
+{
+    imposed = isGuessed ? dilatancy(program, applyTransposed(program, guess.displacement), start.contactForce)
+                        : Eigen::VectorXd(Eigen::VectorXd::Zero(program.points()));
     // An impact starts from nothing, as it changes much at times, but its error counts as a share of the
     // change.
     expected = isGuessed  ? guess.displacement
@@ -380,7 +389,7 @@ bool StepSearch<Dim>::beginsFromPlace()
         return false;
     }
     program.gap = gap;
-    relinearise(Eigen::VectorXd(Eigen::VectorXd::Zero(expected.size())), start.contactForce, program);
+    relinearise(Eigen::VectorXd(Eigen::VectorXd::Zero(program.load.size())), start.contactForce, program);
     gap = program.gap;
     return true;
 }
@@ -470,9 +479,6 @@ ThetaStep StepSearch<Dim>::solve()
             }
             return std::move(step);
         }
-        start.displacement = step.displacement;
-        start.contactForce = step.contactForce;
-        start.interior = step.interior;
         bool stands = step.status == SolveStatus::optimal;
         if (isCoulomb)
         {
@@ -497,6 +503,9 @@ ThetaStep StepSearch<Dim>::solve()
             step.status = SolveStatus::notConverged;
             return std::move(step);
         }
+        start.displacement = step.displacement;
+        start.contactForce = step.contactForce;
+        start.interior = step.interior;
     }
 }
 
