@@ -88,6 +88,13 @@ bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysis
     }
     info("Pushover: {} positions; {}{}\n", pushover.curve.size(), endText(pushover.end),
          pushover.curve.empty() ? "" : fmt::format(", at d = {:.6g} m", pushover.curve.back().displacement));
+    if (pushover.stepsToFirstOrder > 0)
+    {
+        printWarning(fmt::format("{} of {} steps were taken to first order, by the motion at their "
+                                 "beginning: that of their middle was not found within maximumIterations and "
+                                 "the tolerance. Another `step` may do.",
+                                 pushover.stepsToFirstOrder, pushover.curve.size()));
+    }
     if (pushover.end == PushoverEnd::meeting)
     {
         info("{} and {} would be {:.3g} m in each other\n",

@@ -241,7 +241,8 @@ void PushoverPath<Dim>::goBackToZero()
     point.alpha = 0;
 }
 
-/// The motion by the columns in the middle of the step, with the gaps of its beginning.
+/// The motion by the columns in the middle of the step, with the gaps of its beginning; that of the beginning
+/// where the solver does not find it.
 template<int Dim>
 Eigen::VectorXd PushoverPath<Dim>::motionAboutMiddle()
 {
@@ -259,8 +260,10 @@ Eigen::VectorXd PushoverPath<Dim>::motionAboutMiddle()
     setColumns(program, scene, masses, middle, points);
     setLoads(program, scene, free, middle);
     setGaps();
-    ConeSolution motion = solveInteriorPoint(program, solver, &symbolic);
-    return motion.status == SolveStatus::optimal ? motion.displacement : solution.displacement;
+    const ConeSolution motion = solveInteriorPoint(program, solver, &symbolic);
+    const bool isFound = motion.status == SolveStatus::optimal;
+    result.stepsToFirstOrder += isFound ? 0 : 1;
+    return isFound ? motion.displacement : solution.displacement;
 }
 
 /// \return false where blocks meet without a contact to part them

@@ -48,6 +48,8 @@ struct Pushover
     std::vector<CapacityPoint> curve;
     PushoverEnd end = PushoverEnd::notConverged;
     Penetration overlap; ///< of the position after the last one, with PushoverEnd::meeting
+    int stepsToFirstOrder =
+        0; ///< taken by the motion at their beginning, as that of their middle was not found
 };
 
 /// What is followed, with forces that keep their directions and stay at their points of the blocks.

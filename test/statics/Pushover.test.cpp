@@ -21,9 +21,9 @@ WeighedStructure monolith()
 }
 
 Pushover push(const WeighedStructure& structure, double mu, const PushoverSettings& settings,
-              const LoadVectors& loads)
+              const LoadVectors& loads, const InteriorPointSettings& solver = {})
 {
-    return solvePushover<2>({structure.assembly, mu, loads}, settings, {},
+    return solvePushover<2>({structure.assembly, mu, loads}, settings, solver,
                             [](const CapacityPoint&, const std::vector<Placement<2>>&) {});
 }
 Pushover push(const WeighedStructure& structure, double mu, const PushoverSettings& settings)
@@ -102,4 +102,17 @@ TEST(Pushover, OfAWallStartsAtItsCollapseMultiplierAndEndsAtZero)
             EXPECT_LE(point.worst, 1e-6);
         }
     }
+}
+
+TEST(Pushover, StepsWhoseMiddleIsNotSolvedAreCounted)
+{
+    const WeighedStructure structure = standing(paperWalls()[0].bond);
+    const PushoverSettings settings{.step = 0.03};
+    const Pushover pushover = push(structure, 0.65, settings);
+    EXPECT_EQ(pushover.stepsToFirstOrder, 0);
+    // With the iterations of the first position alone; positions themselves have more in a second attempt.
+    const Pushover hurried = push(structure, 0.65, settings, structure.weightLoads(),
+                                  {.maximumIterations = pushover.curve.front().iterations});
+    EXPECT_GT(hurried.curve.size(), 10U);
+    EXPECT_GT(hurried.stepsToFirstOrder, 0);
 }
