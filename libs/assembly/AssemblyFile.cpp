@@ -227,6 +227,7 @@ Assembly<Dim> readBlocks(const std::filesystem::path& caseDirectory)
         {
             assembly.statedJoints = joints->as<StatedJoints>().joints;
             requireBlocks(assembly, joints->location());
+            sortByPair(assembly.statedJoints);
         }
     }
     compareWithOrigin(dictionary, caseDirectory);

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace drystone
 {
@@ -58,6 +60,13 @@ void requireBlocks(const Assembly<3>& assembly, const SourceLocation& place)
                                place);
         }
     }
+}
+
+void sortByPair(std::vector<StatedJoint<3>>& joints)
+{
+    std::stable_sort(joints.begin(), joints.end(),
+                     [](const StatedJoint<3>& a, const StatedJoint<3>& b)
+                     { return std::pair(a.block, a.neighbour) < std::pair(b.block, b.neighbour); });
 }
 
 } // namespace drystone

@@ -24,4 +24,8 @@ void read(TokenCursor& cursor, StatedJoints& stated);
 /// has the lower index. \param place of the joints in the file
 void requireBlocks(const Assembly<3>& assembly, const SourceLocation& place);
 
+/// The joints of one pair of blocks after each other, as those that are found, pairs in rising order: solvers
+/// sum up what the points of a pair do once for each pair.
+void sortByPair(std::vector<StatedJoint<3>>& joints);
+
 } // namespace drystone

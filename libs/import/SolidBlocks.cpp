@@ -2,6 +2,7 @@
 /// The stages from the solids of a file to blocks.
 #include "import/SolidBlocks.h"
 
+#include "assembly/StatedJoints.h"
 #include "core/Log.h"
 #include "geometry/Box.h"
 #include "geometry/space/FacePolygon.h"
@@ -292,9 +293,7 @@ void stateJoints(Assembly<3>& assembly, const Solids& solids, const std::vector<
     {
         assembly.statedJoints.push_back(jointOf(interface, blocksOf, assembly.blocks, settings, file));
     }
-    std::stable_sort(assembly.statedJoints.begin(), assembly.statedJoints.end(),
-                     [](const StatedJoint<3>& a, const StatedJoint<3>& b)
-                     { return std::pair(a.block, a.neighbour) < std::pair(b.block, b.neighbour); });
+    sortByPair(assembly.statedJoints);
 }
 
 double largestUnevenness(const std::vector<Polyhedron>& shapes)

@@ -108,6 +108,24 @@ TEST_F(Zones, JointsThatAreStatedAreReadBackAsTheyWereWritten)
     EXPECT_NE(fingerprint(read), fingerprint(twoCubes()));
 }
 
+// Solvers that share out pairs of blocks to threads have each pair once.
+TEST_F(Zones, JointsOfAPairOfBlocksAreTogetherInWhateverOrderTheyAreStated)
+{
+    Assembly<3> assembly = twoCubes();
+    assembly.blocks.push_back(assembly.blocks[1]);
+    const auto joint = [](int block, int neighbour, double x) {
+        return StatedJoint<3>{block, neighbour, {0, 0, -1}, {{x, 0, 1}}};
+    };
+    assembly.statedJoints = {joint(1, 2, 0), joint(0, 1, 0.1), joint(1, 2, 0.2), joint(0, 1, 0.3)};
+    write("constant/assembly/blocks", assemblyText(assembly));
+    std::vector<double> places;
+    for (const StatedJoint<3>& read : readBlocks<3>(directory).statedJoints)
+    {
+        places.push_back(read.points[0].x());
+    }
+    EXPECT_EQ(places, (std::vector<double>{0.1, 0.3, 0, 0.2}));
+}
+
 // A second `jointTolerance` made other joints, and the results of the first were said to be of the same
 // input.
 TEST_F(Zones, OtherJointTolerancesAreOtherStructures)
