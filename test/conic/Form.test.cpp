@@ -35,6 +35,44 @@ PlaneConeProgram blockOnGround(double mu)
     return program;
 }
 
+/// Bodies in a row, each of which touches the next and the ground.
+PlaneConeProgram longRow(int bodies)
+{
+    PlaneConeProgram program;
+    program.bodies = bodies;
+    for (int body = 0; body < bodies; ++body)
+    {
+        for (const int other : {body + 1 < bodies ? body + 1 : -1, -1})
+        {
+            ConeColumns<3, 2> columns;
+            columns.first = body;
+            columns.second = other;
+            columns.onFirst << 0, -1, -1, 0, -1, -0.5;
+            columns.onSecond << 0, 1, 1, 0, 1, 0.5;
+            program.contacts.push_back(columns);
+            program.friction.push_back(0.5);
+        }
+    }
+    program.load = Eigen::VectorXd::Ones(3 * bodies);
+    return program;
+}
+
+// Two threads added to one coupling.
+TEST(Form, APairOfBodiesInTwoSharesIsLeftToOneThread)
+{
+    PlaneConeProgram program = longRow(4000);
+    SymbolicAnalysis symbolic;
+    Form<3> form = makeForm(program, symbolic);
+    schurSystem(form, symbolic);
+    EXPECT_GT(form.shares.size(), 1u);
+
+    program.contacts.push_back(program.contacts.front());
+    program.friction.push_back(0.5);
+    form = makeForm(program, symbolic);
+    schurSystem(form, symbolic);
+    EXPECT_TRUE(form.shares.empty());
+}
+
 TEST(Form, ForcesAndOpeningsComeBackFromTheirRaysWhateverTheFriction)
 {
     for (const double mu : {0.3, 4.0, 6.0, 1e6})

@@ -383,6 +383,38 @@ Eigen::VectorXd loadOf(const Form<Rows>& form, const Eigen::VectorXd& load)
     return orderedLoad(form, load) / form.scaling.load;
 }
 
+namespace
+{
+
+/// Whether points of one pair of bodies are in two shares, which would add to its coupling at the same time:
+/// in programs whose pairs are not together.
+template<int Rows>
+bool isAnyPairShared(const Form<Rows>& form)
+{
+    std::vector<int> shareOf; // of each slot
+    for (std::size_t share = 0; share < form.shares.size(); ++share)
+    {
+        for (int group = form.shares[share].begin; group < form.shares[share].end; ++group)
+        {
+            const int slot = form.groups[group].slot;
+            if (slot < 0)
+            {
+                continue;
+            }
+            shareOf.resize(std::max(shareOf.size(), static_cast<std::size_t>(slot) + 1), -1);
+            int& own = shareOf[static_cast<std::size_t>(slot)];
+            if (own >= 0 && own != static_cast<int>(share))
+            {
+                return true;
+            }
+            own = static_cast<int>(share);
+        }
+    }
+    return false;
+}
+
+} // namespace
+
 template<int Rows>
 SchurSystem<Rows>& schurSystem(Form<Rows>& form, SymbolicAnalysis& symbolic)
 {
@@ -394,6 +426,10 @@ SchurSystem<Rows>& schurSystem(Form<Rows>& form, SymbolicAnalysis& symbolic)
     for (typename Form<Rows>::Group& group : form.groups)
     {
         group.slot = group.second < form.bodies ? kept->slot(group.first, group.second) : -1;
+    }
+    if (isAnyPairShared(form))
+    {
+        form.shares.clear(); // by one thread
     }
     return *kept;
 }
