@@ -78,6 +78,17 @@ class SourceTree(unittest.TestCase):
             self.assertIn(option, read("CMakeLists.txt"))
         self.assertIn("add_custom_target(" + re.search(r"--target (\w+)", recipe).group(1) + ")", read("CMakeLists.txt"))
 
+    def testCommandsOfABuildAreQuoted(self):
+        # In a folder such as "Drystone (2)" a command without VERBATIM is no command of the shell.
+        commands = []
+        for folder, folders, names in os.walk(root):
+            folders[:] = [name for name in folders if name not in ("build", ".git", "tutorials", "node_modules")]
+            for name in names:
+                if name == "CMakeLists.txt" or name.endswith(".cmake"):
+                    commands += re.findall(r"add_custom_command\([^\0]*?\)\n", read(os.path.join(folder, name)))
+        self.assertTrue(commands)
+        self.assertEqual([command for command in commands if "VERBATIM" not in command], [])
+
     def testATreeThatIsMovedIsBuiltAnew(self):
         self.copy("etc/tools/BuildFunctions", "CMakePresets.json")
         self.write("etc/bootstrap", "#!/bin/bash\n")
