@@ -6,13 +6,13 @@ get_property(drystone_applications GLOBAL PROPERTY DRYSTONE_APPLICATIONS)
 set(share ${CMAKE_INSTALL_DATADIR}/drystone)
 install(TARGETS ${drystone_applications} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 # As git has them: without what a run in the source tree left.
-install(DIRECTORY tutorials DESTINATION ${share} USE_SOURCE_PERMISSIONS
-    PATTERN VTK EXCLUDE PATTERN postProcessing EXCLUDE PATTERN constant/assembly EXCLUDE PATTERN "log.*" EXCLUDE
-    PATTERN parameterSearch/points EXCLUDE REGEX "/[0-9]+\\.[0-9.e+-]*$" EXCLUDE)
+include(${CMAKE_CURRENT_LIST_DIR}/leftByRuns.cmake)
+install(DIRECTORY tutorials DESTINATION ${share} USE_SOURCE_PERMISSIONS ${leftByRuns})
 install(DIRECTORY etc/annotated etc/cases etc/paraview etc/tools DESTINATION ${share}/etc USE_SOURCE_PERMISSIONS)
-install(FILES README.md GUIDE.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md GUIDE.md CHANGELOG.md CONTRIBUTING.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # Where Debian's Python looks for packages when the prefix is /usr; with another, RunFunctions adds it to PYTHONPATH.
 install(DIRECTORY python/drystone DESTINATION lib/python3/dist-packages COMPONENT python PATTERN "__pycache__" EXCLUDE)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-drystone COMPONENT python)
 install(FILES etc/bash_completion DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME blockTexture)
 
 # A tutorial that was copied elsewhere finds RunFunctions beside the applications: in bin/ of the build and of the
@@ -23,10 +23,15 @@ file(CREATE_LINK ${PROJECT_SOURCE_DIR}/etc/tools/RunFunctions ${CMAKE_BINARY_DIR
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/etc/tools/drystone-new ${CMAKE_BINARY_DIR}/bin/drystone-new SYMBOLIC)
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/drystone)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/etc ${CMAKE_BINARY_DIR}/share/drystone/etc SYMBOLIC)
+file(RELATIVE_PATH docToShare "/${CMAKE_INSTALL_DOCDIR}" "/${share}")
 install(CODE "
     set(prefix \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\")
     file(CREATE_LINK ../${share}/etc/tools/RunFunctions \"\${prefix}/${CMAKE_INSTALL_BINDIR}/drystoneRunFunctions\" SYMBOLIC)
     file(CREATE_LINK ../${share}/etc/tools/drystone-new \"\${prefix}/${CMAKE_INSTALL_BINDIR}/drystone-new\" SYMBOLIC)
+    # README and GUIDE lead to folders of the source tree.
+    foreach(folder tutorials etc)
+        file(CREATE_LINK \"${docToShare}/\${folder}\" \"\${prefix}/${CMAKE_INSTALL_DOCDIR}/\${folder}\" SYMBOLIC)
+    endforeach()
     file(MAKE_DIRECTORY \"\${prefix}/${CMAKE_INSTALL_MANDIR}/man1\")
     foreach(application ${drystone_applications} drystone-new)
         if(NOT application STREQUAL blockTexture)
@@ -40,7 +45,7 @@ install(CODE "
 ")
 
 # cpack -G DEB, in the build folder: drystone_*.deb and python3-drystone_*.deb. The shared libraries that the first
-# depends on are found by dpkg-shlibdeps; the second is pure Python.
+# depends on are found by dpkg-shlibdeps, but for cairo, which is loaded by name (libs/io); the second is pure Python.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME drystone)
 set(CPACK_PACKAGE_CONTACT "the Drystone authors <drystone@localhost>")
@@ -50,7 +55,7 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL applications python)
 set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_NAME drystone)
 set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_DEPENDS bash)
+set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_DEPENDS "bash, libcairo2")
 set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_SUGGESTS "python3-drystone, bash-completion")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-drystone)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)

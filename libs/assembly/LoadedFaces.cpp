@@ -2,6 +2,8 @@
 /// Surfaces of the chosen free blocks and, to be taken away, what is covered of them, cut at the box.
 #include "assembly/LoadedFaces.h"
 
+#include "assembly/NamedZones.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,16 +57,7 @@ void requireBlocks(const Assembly<Dim>& assembly, const LoadedFaces<Dim>& faces,
     }
     for (const NamePattern& pattern : faces.zones)
     {
-        std::vector<std::string> names;
-        for (const Zone& zone : assembly.zones)
-        {
-            names.push_back(zone.name);
-        }
-        if (std::none_of(names.begin(), names.end(),
-                         [&](const std::string& name) { return pattern.matches(name); }))
-        {
-            throw FatalIOError(unknownWordMessage("zone", pattern.text, names), places.of("zones"));
-        }
+        requireZone(pattern, assembly.zones, places.of("zones"));
     }
 }
 

@@ -3,6 +3,7 @@
 #include "assembly/Materials.h"
 
 #include "assembly/CaseFile.h"
+#include "assembly/NamedZones.h"
 #include "core/Error.h"
 
 #include <fmt/format.h>
@@ -61,16 +62,6 @@ double densityOf(const Material& material, double weight, const Dictionary& dict
             dictionary.locationOf("unitWeight"));
     }
     return material.density ? *material.density : *material.unitWeight / weight;
-}
-
-std::vector<std::string> zoneNames(const std::vector<Zone>& zones)
-{
-    std::vector<std::string> names;
-    for (const Zone& zone : zones)
-    {
-        names.push_back(zone.name);
-    }
-    return names;
 }
 
 } // namespace
@@ -180,12 +171,11 @@ std::vector<double> readDensities(const std::filesystem::path& caseDirectory, co
     {
         const Dictionary& ownDictionary = dictionary.subDict("zones").subDict(name.text);
         const double density = densityOf(ofZone, weight, ownDictionary);
-        bool isFound = false;
+        requireZone(name, assembly.zones, ownDictionary.location());
         for (const Zone& zone : assembly.zones)
         {
             if (name.matches(zone.name))
             {
-                isFound = true;
                 if (name.text == zone.name)
                 {
                     questionZone(assembly, zone, named, ownDictionary.location());
@@ -196,11 +186,6 @@ std::vector<double> readDensities(const std::filesystem::path& caseDirectory, co
                     densities[static_cast<std::size_t>(block)] = density;
                 }
             }
-        }
-        if (!isFound)
-        {
-            throw FatalIOError(unknownWordMessage("zone", name.text, zoneNames(assembly.zones)),
-                               ownDictionary.location());
         }
     }
     return densities;

@@ -2,6 +2,7 @@
 /// Regular expressions by the standard library, kept small because it recurses on their size.
 #include "dictionary/DictionaryPattern.h"
 
+#include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
 #include <memory>
@@ -91,6 +92,27 @@ std::function<bool(const std::string&)> patternMatcher(const std::string& patter
                         pattern, error.what()),
             location);
     }
+}
+
+std::string alternativeWithoutName(const std::string& pattern, const std::vector<std::string>& names)
+{
+    const auto isOfNames = [](unsigned char c)
+    { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '|'; };
+    if (pattern.find('|') == std::string::npos || !std::all_of(pattern.begin(), pattern.end(), isOfNames))
+    {
+        return {};
+    }
+    for (std::size_t begin = 0; begin <= pattern.size();)
+    {
+        const std::size_t end = std::min(pattern.find('|', begin), pattern.size());
+        const std::string name = pattern.substr(begin, end - begin);
+        if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+        {
+            return name;
+        }
+        begin = end + 1;
+    }
+    return {};
 }
 
 } // namespace drystone

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace drystone
 {
@@ -15,5 +16,9 @@ namespace drystone
 /// \throws FatalIOError when it is not a regular expression, or an unreasonably large one
 std::function<bool(const std::string&)> patternMatcher(const std::string& pattern,
                                                        const SourceLocation& location);
+
+/// The first name of a pattern of nothing but names, as `pillars|parapet`, that is none of `names`: mistyped,
+/// it matches nothing while the others do. Empty where there is none, or the pattern is another one.
+std::string alternativeWithoutName(const std::string& pattern, const std::vector<std::string>& names);
 
 } // namespace drystone

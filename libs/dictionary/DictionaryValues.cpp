@@ -101,6 +101,14 @@ std::string_view hintFor(const Token& token)
     {
         return " Numbers are separated by blanks and have a decimal point: 0.6, not 0,6.";
     }
+    // Minus, en dash and em dash of Unicode, which look like a sign.
+    for (const std::string_view dash : {"\u2212", "\u2013", "\u2014"})
+    {
+        if (token.text.find(dash) != std::string_view::npos)
+        {
+            return " Its minus is none of the keyboard's, as in a text that was copied: type `-` instead.";
+        }
+    }
     if (token.text.starts_with('='))
     {
         return " An entry is `key value;`, without `=`.";

@@ -12,10 +12,51 @@
 
 namespace drystone
 {
+namespace
+{
+
+/// Where a blank of Unicode is that looks like one of the keyboard, as texts of pages and of word processors
+/// have them, or of no width at all; npos where there is none. In a quoted string it may stay.
+std::size_t foreignBlank(std::string_view text)
+{
+    for (std::size_t at = text.find_first_of("\xC2\xE2\xE3"); at != std::string_view::npos;
+         at = text.find_first_of("\xC2\xE2\xE3", at + 1))
+    {
+        const std::string_view ahead = text.substr(at);
+        const bool isOfGeneralPunctuation =
+            ahead.starts_with("\xE2\x80") && ahead.size() > 2
+            && (static_cast<unsigned char>(ahead[2]) <= 0x8F || ahead[2] == '\xAF');
+        if (ahead.starts_with("\xC2\xA0") || isOfGeneralPunctuation || ahead.starts_with("\xE3\x80\x80"))
+        {
+            return at;
+        }
+    }
+    return std::string_view::npos;
+}
+
+} // namespace
 
 Token StatementBuilder::token(TokenKind kind, const char* begin, const char* end)
 {
     return {std::string_view(begin, static_cast<std::size_t>(end - begin)), &file, lineOf(begin), kind};
+}
+
+void StatementBuilder::requireBlanks(const Token& word)
+{
+    if (word.kind != TokenKind::word)
+    {
+        return;
+    }
+    const std::size_t at = foreignBlank(word.text);
+    if (at != std::string_view::npos)
+    {
+        throw error(
+            fmt::format("In `{}` there is a blank that is none of the keyboard's, {}, such as a no-break "
+                        "space of a text that was copied. Type an ordinary blank there.",
+                        word.text,
+                        at == 0 ? "at its beginning" : fmt::format("after `{}`", word.text.substr(0, at))),
+            word.line);
+    }
 }
 
 void StatementBuilder::add(const Token& added)
@@ -26,6 +67,7 @@ void StatementBuilder::add(const Token& added)
                         + " letters. Is this a text file? Strings go between quotes.",
                     added.line);
     }
+    requireBlanks(added);
     if (open.empty())
     {
         looseTokens.push_back(added);
@@ -87,6 +129,7 @@ void StatementBuilder::begin(Statement::Kind kind, const Token& keyword, const c
                         + " letters. Is this a text file?",
                     keyword.line);
     }
+    requireBlanks(keyword);
     Statement statement;
     statement.kind = kind;
     statement.keyword = keyword;

@@ -69,6 +69,8 @@ private:
         int line;
     };
     void enter(int line);
+    /// \throws FatalIOError where a word holds a blank that only looks like one of the keyboard
+    void requireBlanks(const Token& word);
 
     const SourceFile& file;
     std::string_view text;

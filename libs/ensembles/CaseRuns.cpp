@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -141,7 +142,9 @@ void copyCase(const fs::path& caseDirectory, const fs::path& target)
     catch (const fs::filesystem_error& error)
     {
         throw FatalError(
-            fmt::format("Cannot copy the case to {}: {}.", target.string(), error.code().message()));
+            fmt::format("Cannot copy the case to {}: {}.\n\nCheck that its folder may be written and "
+                        "that the disk has room.",
+                        target.string(), error.code().message()));
     }
 }
 
@@ -372,6 +375,22 @@ private:
     fs::path top;
 };
 
+/// An application that a full disk has ended says nothing of the values it was given, and its own message may
+/// have had no room either. \throws FatalError
+void requireRoom(const fs::path& copy, const CaseRun& failed)
+{
+    constexpr std::uintmax_t little = 1 << 20; // [bytes]; what could not be written whole is removed again
+    std::error_code unknown;
+    const fs::space_info space = fs::space(copy, unknown);
+    if (!unknown && space.available < little)
+    {
+        throw FatalError(fmt::format(
+            "{} ended with exit status {} in {}, and its disk has less than 1 MB left: that is no "
+            "result.\n\nMake room on the disk, and start again; it goes on from here.",
+            failed.application, failed.status, copy.string()));
+    }
+}
+
 /// A message about a copy as one about the case: without the copy's folder, and without what frames it.
 std::string faultOfCopy(std::string message, const fs::path& copy)
 {
@@ -393,7 +412,12 @@ CaseRun runCopy(const fs::path& caseDirectory, const fs::path& target, const std
                 const CaseApplications& applications)
 {
     copyWith(caseDirectory, target, entries);
-    return runIn(target, applications, Depth::results);
+    CaseRun run = runIn(target, applications, Depth::results);
+    if (run.status != 0 && !run.isInterrupted)
+    {
+        requireRoom(target, run);
+    }
+    return run;
 }
 
 CaseRun tryCopy(const fs::path& caseDirectory, const fs::path& target, const std::vector<OtherEntry>& entries,

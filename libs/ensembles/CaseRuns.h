@@ -62,8 +62,8 @@ struct CaseRun : ApplicationRun
 };
 
 /// Copies a case to `target` with other values of some entries, and runs applications there, until one fails
-/// or this process is requested to stop. \throws as
-/// copyCase, setEntry and runInCase
+/// or this process is requested to stop. \throws as copyCase, setEntry and runInCase; FatalError where one
+/// fails and the disk is full
 CaseRun runCopy(const std::filesystem::path& caseDirectory, const std::filesystem::path& target,
                 const std::vector<OtherEntry>& entries, const CaseApplications& applications);
 

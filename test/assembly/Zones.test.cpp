@@ -94,6 +94,24 @@ TEST_F(Zones, HaveMaterialsOfTheirOwn)
                 HasSubstr("Unknown zone stones. Did you mean stone?"));
 }
 
+// One of several names was mistyped: its blocks had the density of all others without a word.
+TEST_F(Zones, ANameWithinAPatternThatNoZoneHasIsWarnedOf)
+{
+    const auto warnings = [&](const std::string& pattern)
+    {
+        write("constant/materialProperties", "density 2000; zones { \"" + pattern + "\" { density 2500; } }");
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        readDensities<3>(directory, twoCubes(), {0, 0, -10});
+        return testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr();
+    };
+    EXPECT_THAT(warnings("sotne|brick.red"),
+                testing::Not(HasSubstr("sotne"))); // a dot is no letter of a name
+    EXPECT_THAT(warnings("stone|sotne"), HasSubstr("Unknown zone sotne. Did you mean stone?"));
+    EXPECT_EQ(warnings("stone|stone"), "");
+    EXPECT_EQ(warnings("(stone|clay).*"), "");
+}
+
 TEST_F(Zones, JointsThatAreStatedAreReadBackAsTheyWereWritten)
 {
     Assembly<3> assembly = twoCubes();

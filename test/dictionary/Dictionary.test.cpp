@@ -144,6 +144,29 @@ TEST(Dictionary, VectorsMayHaveTwoOrThreeComponents)
                 HasSubstr("The third component of out must be 0"));
 }
 
+TEST(Dictionary, CharactersThatOnlyLookLikeThoseOfTheKeyboardAreNamed)
+{
+    const auto message = [](const std::string& text)
+    { return reportOf([&text] { Dictionary::readString(text, "some").get<double>("mu"); }); };
+    for (const std::string blank : {"\u00A0", "\u2009", "\u202F", "\u200B", "\u3000"})
+    {
+        EXPECT_THAT(
+            message("a 1;\nmu" + blank + "0.65;"),
+            AllOf(HasSubstr("Type an ordinary blank there"), HasSubstr("after `mu`"), HasSubstr("line 2")));
+        EXPECT_THAT(message("mu " + blank + "0.65;"), HasSubstr("at its beginning"));
+        EXPECT_THAT(message("mu 0.65" + blank + ";"), HasSubstr("after `0.65`"));
+        EXPECT_EQ(Dictionary::readString("mu 0.65; // of\u00A0stone", "some").get<double>("mu"), 0.65);
+        EXPECT_EQ(Dictionary::readString("name \"a" + blank + "b\";", "some").get<std::string>("name"),
+                  "a" + blank + "b");
+    }
+    EXPECT_EQ(Dictionary::readString("gr\u00F6\u00DFe\u20AC 2;", "some").get<double>("gr\u00F6\u00DFe\u20AC"),
+              2);
+    for (const std::string minus : {"\u2212", "\u2013"})
+    {
+        EXPECT_THAT(reportOfValue<double>(minus + "9.81"), HasSubstr("type `-` instead"));
+    }
+}
+
 TEST(Dictionary, WrongValuesAreRefusedWithTheReason)
 {
     EXPECT_THAT(reportOfValue<double>("abc"), HasSubstr("a number is expected but `abc` is found"));

@@ -45,6 +45,19 @@ class Installation(unittest.TestCase):
         if os.path.exists(os.path.join(build, "share/drystone/viewer.js")):
             self.assertIn(os.path.join(self.prefix, "share/drystone/viewer.js"), files)
 
+    def testLinksOfTheDocumentationLeadSomewhere(self):
+        documents = os.path.join(self.prefix, "share/doc/drystone")
+        for name in ("README.md", "GUIDE.md", "CONTRIBUTING.md", "tutorials/README.md"):
+            with open(os.path.join(documents, name), encoding="utf-8") as file:
+                links = re.findall(r"\]\(([^)#\s]+)[^)]*\)", file.read())
+            folder = os.path.dirname(os.path.join(documents, name))
+            self.assertEqual([link for link in links if "://" not in link and not os.path.exists(os.path.join(folder, link))], [], name)
+
+    def testThePackageDependsOnWhatIsLoadedByName(self):
+        # dpkg-shlibdeps does not see it.
+        with open(os.path.join(build, "CPackConfig.cmake"), encoding="utf-8") as file:
+            self.assertRegex(re.findall(r"set\(CPACK_DEBIAN_APPLICATIONS_PACKAGE_DEPENDS.*", file.read())[0], r"\blibcairo2\b")
+
     def testATutorialCopiedElsewhereRuns(self):
         folder = self.copyOfTutorial("limitAnalysis/arch")
         done = bash("./Allrun", folder, self.path)

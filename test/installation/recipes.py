@@ -38,6 +38,10 @@ class Recipes(unittest.TestCase):
     def testEveryLibraryIsKnownHere(self):
         self.assertEqual(self.packages, set(libraries))
 
+    def testVersionsAreThatOfTheProject(self):
+        self.assertEqual(re.findall(r"(?m)^version: (\S+)$", read("CITATION.cff")), [self.version])
+        self.assertEqual(re.findall(r'(?m)^version = "(\S+)"$', read("python/pyproject.toml")), [self.version])
+
     def testSpack(self):
         tree = ast.parse(read("etc/spack/packages/drystone/package.py"))
         recipe = next(node for node in tree.body if isinstance(node, ast.ClassDef))

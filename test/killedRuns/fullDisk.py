@@ -62,6 +62,17 @@ def main():
             print("incrementalDynamics", done.returncode, done.stderr.splitlines()[-5:])
             assert done.returncode == 1, done.stdout[-500:] + done.stderr
             assert "Cannot write study/" in done.stderr and fault in done.stderr, done.stderr
+        # A search takes no value for a point whose application had no room, `otherwise` neither, and goes on from there.
+        search = os.path.join(root, "search")
+        shutil.copytree(os.path.join(tutorials, "parameterSearch/liveLoadDirection"), search,
+                        ignore=shutil.ignore_patterns("VTK", "postProcessing", "log.*", "assembly", "parameterSearch"))
+        run = os.path.join(applications, "parameterSearch") + " -case search"
+        done = mounted(disk, "200k", f'cp -r "{search}" . && {run}; status=$?; mount -o remount,size=20m . && {run} > again; '
+                       'grep "^    angle" again; (exit $status)')
+        print("parameterSearch", done.returncode, done.stderr.splitlines()[-5:])
+        assert done.returncode == 1, done.stdout[-500:] + done.stderr
+        assert "ended with exit status 1" in done.stderr and "Make room on the disk" in done.stderr, done.stderr
+        assert "Evaluation 1:" not in done.stdout and "angle = 147.26" in done.stdout, done.stdout
         # On a disk that has room the run ends well.
         run = os.path.join(applications, "contactDynamics") + " -case case"
         done = mounted(disk, "200m", f'cp -r "{case}" . && {run}')

@@ -367,7 +367,7 @@ TEST(SpaceTextures, FaultsAreNamed)
                 HasSubstr("whole number"));
     EXPECT_THAT(report(bond("stack", 4, 6, "leaves 2;")), HasSubstr("Only a running bond"));
     EXPECT_THAT(report(house + "openings ( { wall frnt; from (1 0); to (2 4); } );"),
-                HasSubstr("no wall of this name"));
+                HasSubstr("no wall of this name. There are: front back left right."));
     EXPECT_THAT(report(house + "openings ( { wall front; from (1 0); to (2 6); lintel 0.5; } );"),
                 HasSubstr("no course above it"));
     EXPECT_THAT(report(house + "openings ( { wall front; from (1 0.5); to (2 4); } );"),

@@ -172,7 +172,13 @@ std::string wallOpeningFault(const Walls& settings, const WallOpening& opening)
     const int wall = indexOf(settings, opening.wall);
     if (wall < 0)
     {
-        return fmt::format("is in wall {}, and there is no wall of this name.", opening.wall);
+        std::string names;
+        for (const auto& [name, other] : settings.walls)
+        {
+            names += " " + name;
+        }
+        return fmt::format("is in wall {}, and there is no wall of this name. There are:{}.", opening.wall,
+                           names);
     }
     const double length = wallLength(settings, settings.walls[wall].second.length) / settings.unit.x();
     if (std::string fault = placeFault(settings, opening, length); !fault.empty())

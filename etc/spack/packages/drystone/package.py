@@ -30,7 +30,6 @@ class Drystone(CMakePackage):
     depends_on("nlohmann-json@3.11:")
     depends_on("suite-sparse@5.12:")
     depends_on("metis@5.1:")
-    depends_on("lapack")
     depends_on("gsl@2.7:")
     depends_on("nlopt@2.7:")
     depends_on("polyclipping@6.4")
