@@ -60,18 +60,15 @@ Eigen::VectorXd carriedDisplacement(const Step<Dim>& step)
 }
 
 template<int Dim>
-Eigen::VectorXd carriedVelocity(const Step<Dim>& step)
+Eigen::VectorXd carriedVelocity(const Step<Dim>& step, double from, double to)
 {
     const int fixed = carryingBlock(step);
     if (fixed < 0)
     {
         return {};
     }
-    constexpr double last = 1e-6; // of the step: a velocity that jumps at its end does so after it
-    const double end = step.motion.state.time;
     const BlockVector<Dim> ofSupport =
-        velocitiesOfAllBlocks(step.scene, step.motion.state, end - last * step.scheme.timeStep,
-                              end)[static_cast<std::size_t>(fixed)];
+        velocitiesOfAllBlocks(step.scene, step.motion.state, from, to)[static_cast<std::size_t>(fixed)];
     const Turn<Dim> spin = turnOf<Dim>(ofSupport.template tail<rotationCount<Dim>>());
     Eigen::VectorXd velocity(freedomCount<Dim> * step.program.bodies);
     forEachArm(step, fixed,
@@ -85,8 +82,8 @@ Eigen::VectorXd carriedVelocity(const Step<Dim>& step)
 }
 
 template Eigen::VectorXd carriedDisplacement(const Step<2>& step);
-template Eigen::VectorXd carriedVelocity(const Step<2>& step);
+template Eigen::VectorXd carriedVelocity(const Step<2>& step, double from, double to);
 template Eigen::VectorXd carriedDisplacement(const Step<3>& step);
-template Eigen::VectorXd carriedVelocity(const Step<3>& step);
+template Eigen::VectorXd carriedVelocity(const Step<3>& step, double from, double to);
 
 } // namespace drystone

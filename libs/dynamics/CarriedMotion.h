@@ -12,8 +12,8 @@ namespace drystone
 template<int Dim>
 Eigen::VectorXd carriedDisplacement(const Step<Dim>& step);
 
-/// Their velocities at the end of the step, where the blocks are then [m/s, rad/s]; likewise empty.
+/// Their mean velocities from one instant to another, where the blocks are now [m/s, rad/s]; likewise empty.
 template<int Dim>
-Eigen::VectorXd carriedVelocity(const Step<Dim>& step);
+Eigen::VectorXd carriedVelocity(const Step<Dim>& step, double from, double to);
 
 } // namespace drystone

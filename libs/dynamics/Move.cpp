@@ -10,14 +10,48 @@ namespace drystone
 namespace
 {
 
+/// Of the step: a velocity that jumps at its begin does so before it, and one that jumps at its end after it.
+constexpr double instant = 1e-6;
+
+/// What a body that stands on a support moves by, and velocities of the support [m, m/s].
+struct Standing
+{
+    Eigen::VectorXd displacement;    ///< in the step
+    Eigen::VectorXd velocityAtBegin; ///< of the step, as velocities at the mass centres of bodies
+};
+
+template<int Dim>
+Standing standingIn(const Step<Dim>& step)
+{
+    if (step.scheme.theta == 1)
+    {
+        return {};
+    }
+    const double begin = step.motion.state.time;
+    return {carriedDisplacement(step), carriedVelocity(step, begin, begin + instant * step.scheme.timeStep)};
+}
+
+/// The velocity at the end of the step of bodies that stand on a support. While it is accelerated by a, the
+/// rule, v1 = (dx/dt - (1-theta) v0)/theta, keeps them (theta - 1/2) a dt behind the support: only so is
+/// their inertia that of a. With the velocity of the support itself it would be that of a/(2 theta).
+template<int Dim>
+Eigen::VectorXd standingVelocity(const Step<Dim>& step, const Standing& standing)
+{
+    const double end = step.motion.state.time;
+    const Eigen::VectorXd velocity = carriedVelocity(step, end - instant * step.scheme.timeStep, end);
+    return velocity.size() > 0
+               ? Eigen::VectorXd(velocity - (step.scheme.theta - 0.5) * (velocity - standing.velocityAtBegin))
+               : velocity;
+}
+
 /// Bodies that joints hold in their places over the whole step are at rest at its end, or move as the support
 /// does that carries all. The rule, v1 = (dx/dt - (1-theta) v0)/theta, would turn the velocity round that a
 /// body had when it stopped sliding in the last step, -(1-theta)/theta v0: with theta 1/2 for ever, and its
 /// shear with it, between mu N and -mu N. What it still had is lost. A body that flies or rocks may be back
 /// where it was after a step, too, but in no case to this part of the way that its velocity would take it,
-/// and not on as many points that press. \param carried displacements of bodies that stay where they are
+/// and not on as many points that press.
 template<int Dim>
-void stopWhatStands(Step<Dim>& step, const Eigen::VectorXd& carried)
+void stopWhatStands(Step<Dim>& step, const Standing& carried)
 {
     constexpr double partOfWay = 1e-6;
     const StepProgram<Dim>& program = step.program;
@@ -37,7 +71,7 @@ void stopWhatStands(Step<Dim>& step, const Eigen::VectorXd& carried)
             }
         }
     }
-    const Eigen::VectorXd velocities = carriedVelocity(step);
+    const Eigen::VectorXd velocities = standingVelocity(step, carried);
     const double timeStep = step.scheme.timeStep;
     for (int body = 0; body < program.bodies; ++body)
     {
@@ -49,7 +83,7 @@ void stopWhatStands(Step<Dim>& step, const Eigen::VectorXd& carried)
         };
         const auto farthest = [&step](const BlockVector<Dim>& motion)
         { return farthestMotion<Dim>(Eigen::VectorXd(motion), step.settings.blockSize); };
-        const BlockVector<Dim> way = own(carried);
+        const BlockVector<Dim> way = own(carried.displacement);
         const BlockVector<Dim> standing = own(velocities);
         auto velocity =
             step.motion.state.velocity.template segment<freedomCount<Dim>>(freedomCount<Dim> * body);
@@ -106,7 +140,7 @@ void moveBlocks(Step<Dim>& step)
     const bool isAnyFlying = solved.flight.size() > 0;
     const std::vector<Placement<Dim>> start =
         Dim == 3 && isAnyFlying ? state.placements : std::vector<Placement<Dim>>();
-    const Eigen::VectorXd carried = step.scheme.theta < 1 ? carriedDisplacement(step) : Eigen::VectorXd();
+    const Standing carried = standingIn(step);
     state.velocity = solved.velocity;
     step.velocityAtEnd = advance(state, step.scene.free, solved.result.displacement, step.scheme);
     moveWithSupports(state.placements, step.supports);

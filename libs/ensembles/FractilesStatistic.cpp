@@ -66,6 +66,7 @@ struct Responses
     double largest = 0;
     long failed = 0;
     long repeated = 0; ///< samples at an intensity at which their curve has another one
+    long unplaced = 0; ///< samples without an intensity, where it is a result
 };
 
 Responses responsesOf(const FractilesSettings& settings, const SampleTable& table)
@@ -77,6 +78,11 @@ Responses responsesOf(const FractilesSettings& settings, const SampleTable& tabl
     Responses responses;
     for (std::size_t row = 0; row < table.rows(); ++row)
     {
+        if (!std::isfinite(intensities[row]))
+        {
+            ++responses.unplaced;
+            continue;
+        }
         const bool isKnown = !table.isFailed[row] && std::isfinite(values[row]);
         const double response = isKnown ? values[row] : HUGE_VAL;
         responses.failed += !isKnown;
@@ -180,6 +186,11 @@ StatisticResult evaluateFractiles(const FractilesSettings& settings, const std::
     {
         result.remarks.push_back(
             fmt::format("{} samples without a response count as larger than any", responses.failed));
+    }
+    if (responses.unplaced > 0)
+    {
+        result.remarks.push_back(
+            fmt::format("{} samples without {} are left out", responses.unplaced, settings.intensity));
     }
     if (responses.repeated > 0)
     {

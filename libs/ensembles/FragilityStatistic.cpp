@@ -83,6 +83,7 @@ struct Observations
     std::vector<std::string> curve; ///< empty without curves
     std::size_t failures = 0;
     std::size_t undefined = 0; ///< of these: samples that were run, with no value of `exceeded`
+    std::size_t unplaced = 0;  ///< samples without an intensity, where it is a result; in no other list
 };
 
 Observations observationsOf(const FragilitySettings& settings, const SampleTable& table, FailedAs failedAs)
@@ -96,6 +97,11 @@ Observations observationsOf(const FragilitySettings& settings, const SampleTable
                        : 0;
     for (std::size_t row = 0; row < table.rows(); ++row)
     {
+        if (std::isnan(intensities[row]))
+        {
+            ++found.unplaced;
+            continue;
+        }
         const bool isUnknown = table.isFailed[row] || std::isnan(exceeded[row]);
         found.failures += isUnknown;
         found.undefined += isUnknown && !table.isFailed[row];
@@ -360,7 +366,13 @@ StatisticResult evaluateFragility(const FragilitySettings& settings, const std::
     const Observations standing = observationsOf(settings, table, FailedAs::standing);
     const double none = std::nan("");
     result.rows.push_back({"samples", static_cast<double>(table.rows()), none, none, none});
-    result.rows.push_back({"failed", static_cast<double>(standing.failures), none, none, none});
+    result.rows.push_back(
+        {"failed", static_cast<double>(standing.failures + standing.unplaced), none, none, none});
+    if (standing.unplaced > 0)
+    {
+        result.remarks.push_back(
+            fmt::format("{} samples without {} are left out", standing.unplaced, settings.intensity));
+    }
     if (standing.undefined > 0)
     {
         result.remarks.push_back(

@@ -18,14 +18,11 @@ namespace drystone
 namespace
 {
 
-/// A time between two steps is written at the nearer one, so that rounding does not put it off by a step.
-constexpr double nearestStep = 0.5;
-
 /// Whether one of the times was reached by this step. \param written up to where they were reached before
 bool isTimeReached(const std::vector<double>& times, double written, const TimePoint& now)
 {
     const auto next = std::upper_bound(times.begin(), times.end(), written);
-    return next != times.end() && *next <= now.value + nearestStep * now.deltaT;
+    return next != times.end() && *next <= now.value + reachOf(now);
 }
 
 /// Whether a function may write then. \param plan with its timeStart and timeEnd
@@ -70,7 +67,7 @@ FunctionList<Dim>::FunctionList(const Dictionary& dictionary, const std::filesys
                                 const Assembly<Dim>& assembly)
     : title(caseName(caseDirectory)),
       pictureFormats(readPictureFormats(caseDirectory)),
-      written(begin.value + nearestStep * begin.deltaT)
+      written(begin.value + reachOf(begin))
 {
     for (const Entry& entry : dictionary.entries())
     {
@@ -119,7 +116,7 @@ void FunctionList<Dim>::write(const StepObservation<Dim>& step, const TimePoint&
             function.object->write(step);
         }
     }
-    written = std::max(written, now.value + nearestStep * now.deltaT);
+    written = std::max(written, now.value + reachOf(now));
 }
 
 template<int Dim>
@@ -133,7 +130,7 @@ void FunctionList<Dim>::writeStored(const StepObservation<Dim>& step, const Time
             function.object->write(step);
         }
     }
-    written = std::max(written, now.value + nearestStep * now.deltaT);
+    written = std::max(written, now.value + reachOf(now));
 }
 
 template<int Dim>
@@ -163,7 +160,7 @@ void FunctionList<Dim>::questionTimes(double endTime, double deltaT) const
         const std::optional<double> first =
             plan.timeStart ? plan.timeStart
                            : (plan.times.empty() ? std::nullopt : std::optional(plan.times.front()));
-        const double last = endTime + nearestStep * deltaT;
+        const double last = endTime + reachOf({endTime, deltaT});
         if (first && *first > last)
         {
             printWarning(fmt::format("Function {} writes nothing: it begins at {:g} s, and the run ends at "

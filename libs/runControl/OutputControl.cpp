@@ -10,6 +10,18 @@
 namespace drystone
 {
 
+namespace
+{
+
+constexpr double nearestStep = 0.5;
+
+} // namespace
+
+double reachOf(const TimePoint& now)
+{
+    return now.endsOnInstants ? 1e-6 * now.deltaT + 1e-13 * std::abs(now.value) : nearestStep * now.deltaT;
+}
+
 void declare(Options& options, OutputSettings& settings)
 {
     options.optional("writeControl", settings.writeControl, "what writeInterval counts");
@@ -47,8 +59,9 @@ double OutputControl::intervalsPassed(const TimePoint& now) const
         return count(static_cast<double>(now.writeTimes));
     // Half a step early, so that rounding does not put the write off by a step.
     case WriteControl::runTime:
+        return count(now.value - start + nearestStep * now.deltaT);
     case WriteControl::adjustableRunTime:
-        return count(now.value - start + 0.5 * now.deltaT);
+        return count(now.value - start + reachOf(now));
     case WriteControl::cpuTime:
         return count(now.cpuTime ? *now.cpuTime : cpuTime());
     case WriteControl::clockTime:

@@ -56,7 +56,12 @@ struct TimePoint
     /// of the system.
     std::optional<double> cpuTime = {};
     std::optional<double> clockTime = {};
+    bool endsOnInstants = false; ///< with adjustTimeStep: steps end on instants to write at
 };
+
+/// How long before an instant that steps may end on counts as reached [s]: where they do, by rounding only;
+/// else half a step, so that a write is at the nearest one.
+double reachOf(const TimePoint& now);
 
 /// Tells whether a moment is one to write at. To be asked once a step, in order.
 class OutputControl

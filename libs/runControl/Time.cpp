@@ -101,7 +101,7 @@ Time::Time(const TimeControls& controls, const TimeState& from)
 
 void Time::startOutput()
 {
-    output = OutputControl(settings.output, {now, lengthToHere(), count, writeTimes}, settings.startTime);
+    output = OutputControl(settings.output, pointAfter(lengthToHere()), settings.startTime);
 }
 
 void Time::resume(const TimeState& saved)
@@ -251,7 +251,7 @@ bool Time::isWriteTime()
 {
     if (write == Write::undecided)
     {
-        bool isDue = stepsDone > 0 && output.due({now, lastStep, count, writeTimes});
+        bool isDue = stepsDone > 0 && output.due(pointAfter(lastStep));
         writeTimes += isDue ? 1 : 0;
         if (isDue && settings.stopAt == StopAt::nextWrite)
         {
@@ -275,7 +275,14 @@ bool Time::isWriteTime()
 TimePoint Time::point()
 {
     isWriteTime(); // which counts them
-    return {now, lengthToHere(), count, writeTimes};
+    return pointAfter(lengthToHere());
+}
+
+TimePoint Time::pointAfter(double length) const
+{
+    TimePoint point{now, length, count, writeTimes};
+    point.endsOnInstants = settings.adjustTimeStep;
+    return point;
 }
 
 double Time::fittingStep(double length) const

@@ -132,6 +132,8 @@ private:
     void startOutput();
     /// Of the step that led to the present time, in this run or the one that it continues [s].
     double lengthToHere() const { return lastStep > 0 ? lastStep : stepToStart; }
+    /// The present time, to which a step of this length led [s].
+    TimePoint pointAfter(double length) const;
     void sharpenName();
     /// The longest step up to `length` of which a whole number ends on the next instant to stop at.
     double fittingStep(double length) const;

@@ -46,10 +46,19 @@ constexpr std::array<Attempt, 6> attempts{{{1, Overlaps::stay},
                                            {0.25, Overlaps::stay, 1e-6}}};
 constexpr int patience = 500; ///< iterations allowed to an attempt
 
-/// Largest displacement of any corner, to first order.
+/// Where the corners of a block are [m].
+std::vector<Vector<2>> cornersAt(const Block<2>& block, const Placement<2>& placement)
+{
+    return placedOutline(block, placement);
+}
+std::vector<Vector<3>> cornersAt(const Block<3>& block, const Placement<3>& placement)
+{
+    return placedShape(block, placement).vertices;
+}
+
+/// What no displacement of a corner exceeds, to first order.
 template<int Dim>
-double largestOf(const std::vector<double>& radius, const std::vector<int>& free,
-                 const Eigen::VectorXd& rates)
+double boundOf(const std::vector<double>& radius, const std::vector<int>& free, const Eigen::VectorXd& rates)
 {
     double largest = 0;
     for (std::size_t block = 0; block < free.size(); ++block)
@@ -110,6 +119,7 @@ private:
     void keepPoint();
     void goBackToZero();
     Eigen::VectorXd motionAboutMiddle();
+    double followCorners(const std::vector<Placement<Dim>>& to);
     bool moveOn();
 
     const PushoverScene<Dim>& scene;
@@ -119,9 +129,10 @@ private:
 
     std::vector<BlockMass<Dim>> masses;
     std::vector<int> free;
-    std::vector<double> radius; ///< of each block, about its mass centre [m]
-    double liveForce;           ///< see liveForceOf
-    double margin;              ///< gaps up to this are contacts to come [m]
+    std::vector<double> radius;             ///< of each block, about its mass centre [m]
+    std::vector<std::vector<double>> paths; ///< of the corners of each block: how long they are [m]
+    double liveForce;                       ///< see liveForceOf
+    double margin;                          ///< gaps up to this are contacts to come [m]
     PushoverContacts<Dim> contacts;
 
     std::vector<Placement<Dim>> placements;
@@ -145,6 +156,7 @@ PushoverPath<Dim>::PushoverPath(const PushoverScene<Dim>& structure, const Pusho
       masses(blockMasses(scene.assembly)),
       free(freeIndices(scene.assembly)),
       radius(masses.size(), 0),
+      paths(masses.size()),
       liveForce(liveForceOf<Dim>(scene.loads)),
       margin(farthestContact * meanBlockSize(scene.assembly)),
       contacts(scene.assembly),
@@ -152,6 +164,7 @@ PushoverPath<Dim>::PushoverPath(const PushoverScene<Dim>& structure, const Pusho
 {
     for (std::size_t block = 0; block < masses.size(); ++block)
     {
+        paths[block].assign(cornersOf(scene.assembly.blocks[block]).size(), 0);
         for (const Vector<Dim>& corner : cornersOf(scene.assembly.blocks[block]))
         {
             radius[block] = std::max(radius[block], (corner - masses[block].centroid).norm());
@@ -266,16 +279,39 @@ Eigen::VectorXd PushoverPath<Dim>::motionAboutMiddle()
     return isFound ? motion.displacement : solution.displacement;
 }
 
+/// Lengthens the paths of corners by a step. \return the longest path [m]
+template<int Dim>
+double PushoverPath<Dim>::followCorners(const std::vector<Placement<Dim>>& to)
+{
+    double longest = 0;
+    for (std::size_t block = 0; block < free.size(); ++block)
+    {
+        if (free[block] < 0)
+        {
+            continue;
+        }
+        const auto before = cornersAt(scene.assembly.blocks[block], placements[block]);
+        const auto after = cornersAt(scene.assembly.blocks[block], to[block]);
+        for (std::size_t corner = 0; corner < before.size(); ++corner)
+        {
+            paths[block][corner] += (after[corner] - before[corner]).norm();
+            longest = std::max(longest, paths[block][corner]);
+        }
+    }
+    return longest;
+}
+
 /// \return false where blocks meet without a contact to part them
 template<int Dim>
 bool PushoverPath<Dim>::moveOn()
 {
-    const double rate = largestOf<Dim>(radius, free, solution.displacement);
+    const double rate = boundOf<Dim>(radius, free, solution.displacement);
     work = std::max(settings.step / rate, leastWork * settings.step * liveForce);
     const Eigen::VectorXd displacement = motionAboutMiddle();
-    placements = pushedOn(std::move(placements), free, displacement, work);
+    std::vector<Placement<Dim>> next = pushedOn(placements, free, displacement, work);
     point.displacement += work / liveForce;
-    point.largest += work * largestOf<Dim>(radius, free, displacement);
+    point.largest = followCorners(next);
+    placements = std::move(next);
     result.overlap = contacts.missed(placements);
     return result.overlap.block < 0;
 }

@@ -415,6 +415,37 @@ TEST(FractilesStatistic, AreThoseOfStraightCurves)
     EXPECT_FALSE(plotSvg(result.pictures.front().second).empty());
 }
 
+// Where it is a result, a sample that failed has none.
+TEST(FractilesStatistic, LeavesOutSamplesWithoutAnIntensity)
+{
+    SampleTable table = tableOf({1, std::nan(""), 2, 3}, {10, std::nan(""), 20, 30});
+    table.texts[0] = {"a", "a", "a", "a"};
+    table.isFailed[1] = 1;
+    const StatisticResult result = evaluated(
+        "type fractiles; intensity x; response y; curve x; fractiles (0.5); levels (5 15 25);", table);
+    ASSERT_EQ(result.table.rows.size(), 3u);
+    EXPECT_DOUBLE_EQ(result.table.rows[0][1], 10);
+    EXPECT_NEAR(rowOf(result, "xAty5Fractile0.5").value, 0.5, 1e-12);
+    EXPECT_NEAR(rowOf(result, "xAty15Fractile0.5").value, 1.5, 1e-12);
+    EXPECT_NEAR(rowOf(result, "xAty25Fractile0.5").value, 2.5, 1e-12);
+    EXPECT_THAT(result.remarks, testing::Contains(HasSubstr("1 samples without x are left out")));
+}
+
+TEST(FragilityStatistic, LeavesOutSamplesWithoutAnIntensity)
+{
+    const double none = std::nan("");
+    SampleTable table = tableOf({1, 1, 2, 2, none, 3, 3}, {0, 1, 0, 1, none, 1, 1});
+    table.isFailed[4] = 1;
+    const StatisticResult result =
+        evaluated("type fragility; intensity x; exceeded \"y > 0.5\"; bootstrap 0;", table);
+    const StatisticResult others =
+        evaluated("type fragility; intensity x; exceeded \"y > 0.5\"; bootstrap 0;",
+                  tableOf({1, 1, 2, 2, 3, 3}, {0, 1, 0, 1, 1, 1}));
+    EXPECT_EQ(rowOf(result, "theta").value, rowOf(others, "theta").value);
+    EXPECT_EQ(rowOf(result, "failed").value, 1);
+    EXPECT_THAT(result.remarks, testing::Contains(HasSubstr("1 samples without x are left out")));
+}
+
 TEST(Fractile, InterpolatesAndKeepsInfinity)
 {
     EXPECT_DOUBLE_EQ(fractile({1, 2, 4}, 0.75), 3);

@@ -112,6 +112,29 @@ TEST_F(FunctionListTest, EachFunctionWritesAtItsOwnTimes)
     EXPECT_FALSE(std::filesystem::exists(folder / "postProcessing/off"));
 }
 
+TEST_F(FunctionListTest, StepsThatEndOnTheTimesOfAFunctionAreWrittenThereOnly)
+{
+    FunctionList<2> functions =
+        read("tip { type blockMotion; blocks (1); writeControl adjustableRunTime; writeInterval 0.4; }");
+    long index = 0;
+    double before = 0;
+    for (const double time : {0.1, 0.2, 0.3, 0.39, 0.4, 0.5, 0.6, 0.7, 0.8})
+    {
+        TimePoint now{time, time - before, ++index, 0};
+        now.endsOnInstants = true;
+        before = time;
+        StepObservation<2> step;
+        step.time = now.value;
+        step.timeStep = now.deltaT;
+        step.assembly = &assembly;
+        step.placements = placements;
+        step.velocities = velocities;
+        functions.write(step, now);
+    }
+    const auto near = [](double time) { return testing::DoubleNear(time, 1e-9); };
+    EXPECT_THAT(times("tip/0/block1.dat"), ElementsAre(near(0.4), near(0.8)));
+}
+
 TEST_F(FunctionListTest, SaysWhatIsBeyondTheEndOfTheRun)
 {
     const FunctionList<2> functions = read("energy { }\n"

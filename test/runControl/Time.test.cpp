@@ -497,6 +497,28 @@ TEST_F(TimeCase, EndsAdjustedStepsOnChangesOrOnWriteTimesBesideThem)
     EXPECT_EQ(times.size(), 1u + 3 + 2 + 3 + 7 + 4 + 4 + 7 + 7);
 }
 
+TEST_F(TimeCase, WritesAdjustedStepsThatEndOnWriteTimesOnlyThere)
+{
+    control("deltaT 0.03; endTime 1; adjustTimeStep on; writeControl adjustableRunTime; writeInterval 0.2;");
+    Time time(directory, ControlDict::required);
+    // A change less than half a step before a write time, as where a pulse ends, is no write time.
+    time.setDeltaT(0.03, 0.39);
+    std::vector<double> written;
+    while (time.loop())
+    {
+        if (time.isWriteTime())
+        {
+            written.push_back(time.value());
+        }
+        time.setDeltaT(0.03, time.value() < 0.389 ? 0.39 : std::numeric_limits<double>::infinity());
+    }
+    ASSERT_EQ(written.size(), 5u);
+    for (std::size_t i = 0; i < written.size(); ++i)
+    {
+        EXPECT_NEAR(written[i], 0.2 * static_cast<double>(i + 1), 1e-12);
+    }
+}
+
 TEST_F(TimeCase, NamesWhatIsWrongWithAControlDict)
 {
     EXPECT_THAT(failure("endTime 1;"), HasSubstr("deltaT"));

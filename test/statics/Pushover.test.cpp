@@ -79,6 +79,25 @@ TEST(Pushover, AForceStaysAtItsPointOfABlockThatTurns)
     EXPECT_NEAR(pushover.curve.back().displacement, b - b * std::cos(last) + h * std::sin(last), 1e-4);
 }
 
+TEST(Pushover, TellsThePathOfTheCornerThatMovesMost)
+{
+    // About the toe, turned by t, the centroid has moved horizontally by r (cos a - cos(a + t)), a the angle
+    // under which it is seen from there, and the top by t times its distance.
+    Assembly<2> assembly;
+    assembly.supports = {{"ground", "ground"}};
+    assembly.blocks = {rectangle(0, 0, 0.5, 2), rectangle(-1, -1, 3, 0, 0)};
+    assembly.blocks.front().outline = {{0, 0}, {0.5, 0}, {0, 2}};
+    const Pushover pushover = push(WeighedStructure(std::move(assembly)), 2, {.step = 0.01});
+    EXPECT_EQ(pushover.end, PushoverEnd::overturned);
+    const double radius = std::hypot(1.0 / 3, 2.0 / 3);
+    const double angle = std::atan2(2, 1);
+    for (const CapacityPoint& point : pushover.curve)
+    {
+        const double turn = std::acos(std::cos(angle) - point.displacement / radius) - angle;
+        EXPECT_NEAR(point.largest, turn * std::hypot(0.5, 2), 1e-4) << point.displacement;
+    }
+}
+
 TEST(Pushover, OfAMonolithThatSlidesNeverEnds)
 {
     const Pushover pushover = push(monolith(), 0.1, {.step = 0.01, .maximumSteps = 20});
