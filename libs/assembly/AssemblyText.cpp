@@ -3,6 +3,7 @@
 #include "assembly/AssemblyFile.h"
 
 #include "assembly/AssemblyOrigin.h"
+#include "dictionary/Dictionary.h"
 
 #include <fmt/format.h>
 
@@ -140,10 +141,8 @@ void writeStatedJoints(std::string& text, const std::vector<StatedJoint<Dim>>& j
 template<int Dim>
 std::string assemblyText(const Assembly<Dim>& assembly, const std::vector<InputFile>& builtFrom)
 {
-    std::string text = fmt::format(
-        "FoamFile\n{{\n    version     2.0;\n    format      ascii;\n    class       dictionary;\n"
-        "    location    \"constant/assembly\";\n    object      blocks;\n}}\n\ndimensions      {};\n\n{}",
-        Dim, originText(builtFrom));
+    std::string text = headerText("blocks", "constant/assembly")
+                       + fmt::format("\ndimensions      {};\n\n{}", Dim, originText(builtFrom));
     const auto out = std::back_inserter(text);
     const std::vector<Block<Dim>>& blocks = assembly.blocks;
     writeThickness(text, blocks);

@@ -370,8 +370,7 @@ ConeSolution solveAugmentedLagrangian(const ConeProgram<Rows, Forces>& program, 
     if (heads)
     {
         increment.load -= applyInertia(program, start.displacement);
-        increment.gap = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(Forces * program.points()))
-                        - applyTransposed(program, start.displacement);
+        increment.gap = gapAfter(program, start.displacement);
     }
     SymbolicAnalysis own;
     Form<Rows> form = makeForm(increment, kept ? *kept : own);

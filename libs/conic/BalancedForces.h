@@ -47,7 +47,8 @@ private:
 };
 
 /// Points at which forces come nearer to the surface of the cone than a share of how far others are inside
-/// it: none where forces - margin near is in the cones.
+/// it: none where forces - margin near is in the cones. \param near F k \param forces F k \param margin the
+/// share, 0 for the cones themselves \return indices of the points, in rising order
 template<int Rows, int Forces>
 std::vector<std::size_t> pointsOutside(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& near,
                                        const Eigen::VectorXd& forces, double margin);

@@ -35,34 +35,6 @@ double relative(double value, double scale)
     return scale > 0 ? value / scale : infinite;
 }
 
-/// Largest |entry| of a vector of body rows, moments divided (or, for displacements, rotations multiplied) by
-/// `lever`.
-template<int Rows, int Forces>
-double largest(const Eigen::Ref<const Eigen::VectorXd>& rows, double momentFactor)
-{
-    double result = 0;
-    for (Eigen::Index body = 0; body < rows.size(); body += Rows)
-    {
-        for (int row = 0; row < Rows; ++row)
-        {
-            const double value = std::abs(rows[body + row]) * (row < Forces ? 1 : momentFactor);
-            if (std::isnan(value))
-            {
-                return infinite;
-            }
-            result = std::max(result, value);
-        }
-    }
-    return result;
-}
-
-/// Of a point without strength: none.
-template<int Rows, int Forces>
-Strength strengthOf(const ConeProgram<Rows, Forces>& program, int point)
-{
-    return program.hasStrength() ? program.strength[static_cast<std::size_t>(point)] : Strength{};
-}
-
 /// Largest amount by which a point's force leaves its set -T <= c_n <= N, |c_t| <= C + mu c_n.
 template<int Rows, int Forces>
 double coneViolation(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& contactForce)
@@ -72,7 +44,7 @@ double coneViolation(const ConeProgram<Rows, Forces>& program, const Eigen::Vect
     {
         const auto force = contactForce.template segment<Forces>(Forces * point);
         const double shear = force.template tail<Forces - 1>().norm();
-        const Strength strength = strengthOf(program, point);
+        const Strength strength = program.strengthOf(static_cast<std::size_t>(point));
         const double held = std::max(force[0], -strength.tension);
         const double excess = std::max({-strength.tension - force[0], force[0] - strength.crushing,
                                         shear - strength.cohesion - program.friction[point] * held});
@@ -88,7 +60,7 @@ double dualConeViolation(const ConeProgram<Rows, Forces>& program, const Eigen::
     double result = 0;
     for (int point = 0; point < program.points(); ++point)
     {
-        if (strengthOf(program, point).isBounded())
+        if (program.strengthOf(static_cast<std::size_t>(point)).isBounded())
         {
             continue;
         }
@@ -125,7 +97,7 @@ StrengthWork strengthWork(const ConeProgram<Rows, Forces>& program, const Eigen:
         const auto opening = z.template segment<Forces>(Forces * point);
         const double slip = opening.template tail<Forces - 1>().norm();
         const double excess = opening[0] - program.friction[point] * slip;
-        const Strength strength = strengthOf(program, point);
+        const Strength strength = program.strengthOf(static_cast<std::size_t>(point));
         double lost = strength.cohesion * slip;
         if (excess >= 0)
         {
@@ -153,7 +125,7 @@ double farthestFall(const ConeProgram<Rows, Forces>& program, double lever)
         const Eigen::Matrix<double, Rows, 1> fall =
             inertia.isDiagonal(0) ? Eigen::Matrix<double, Rows, 1>(load.cwiseQuotient(inertia.diagonal()))
                                   : Eigen::Matrix<double, Rows, 1>(inertia.ldlt().solve(load));
-        farthest = std::max(farthest, largest<Rows, Forces>(fall, lever));
+        farthest = std::max(farthest, largestRow<Rows, Forces>(fall, lever));
     }
     return farthest;
 }
@@ -176,6 +148,53 @@ double magnitude(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
     return a.cwiseProduct(b).lpNorm<1>();
 }
 
+/// What a solution leaves of the balance, and the largest load, with which it is compared.
+struct Balance
+{
+    Eigen::VectorXd missing; ///< r + A c - f - alpha L, R b
+    double largestLoad = 0;
+};
+
+/// \param inertial r; empty at rest
+template<int Rows, int Forces>
+Balance balanceOf(const ConeProgram<Rows, Forces>& program, const ConeSolution& solution,
+                  const Eigen::VectorXd& inertial, double lever)
+{
+    Balance balance{applyEquilibrium(program, solution.contactForce),
+                    largestRow<Rows, Forces>(program.load, 1 / lever)};
+    if (inertial.size() > 0)
+    {
+        balance.missing += inertial;
+    }
+    balance.missing -= program.load;
+    if (balance.largestLoad == 0) // bodies at rest and free of loads that something pushes
+    {
+        balance.largestLoad = largestRow<Rows, Forces>(inertial, 1 / lever);
+    }
+    if (program.hasMultiplier())
+    {
+        balance.missing -= solution.multiplier * program.liveLoad;
+        balance.largestLoad =
+            std::max(balance.largestLoad,
+                     std::abs(solution.multiplier) * largestRow<Rows, Forces>(program.liveLoad, 1 / lever));
+    }
+    return balance;
+}
+
+/// The difference of the primal and the dual objective, summed term by term, and the largest of the terms,
+/// with which it is compared.
+struct ObjectiveDifference
+{
+    double value = 0;
+    double largestTerm = 0;
+
+    void add(double term, double size)
+    {
+        value += term;
+        largestTerm = std::max(largestTerm, size);
+    }
+};
+
 } // namespace
 
 double Certificate::worst() const
@@ -190,70 +209,52 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
     const Eigen::VectorXd& c = solution.contactForce;
     const Eigen::VectorXd& y = solution.displacement;
     const bool isAtRest = y.isZero(0);
-    Eigen::VectorXd inertial; // empty at rest
-    Eigen::VectorXd imbalance = applyEquilibrium(program, c);
-    if (!isAtRest)
-    {
-        inertial = applyInertia(program, y);
-        imbalance += inertial;
-    }
-    imbalance -= program.load;
-    double forceScale = largest<Rows, Forces>(program.load, 1 / lever);
-    if (forceScale == 0) // bodies at rest and free of loads that something pushes
-    {
-        forceScale = largest<Rows, Forces>(inertial, 1 / lever);
-    }
-    double displacementScale = largest<Rows, Forces>(y, lever);
+    const Eigen::VectorXd inertial = isAtRest ? Eigen::VectorXd() : applyInertia(program, y);
+    const Balance balance = balanceOf(program, solution, inertial, lever);
+    Certificate certificate;
+
     // Objectives: primal 1/2 y'Mbar y + g'c + 1/2 c'C c - alpha, dual f'y - 1/2 y'Mbar y - 1/2 c'C c;
     // difference = y'Mbar y + (g + C c)'c - alpha - f'y.
-    double difference = isAtRest ? 0 : inertial.dot(y) - program.load.dot(y);
-    double differenceScale = isAtRest ? 0 : std::max(magnitude(inertial, y), magnitude(program.load, y));
-    Certificate certificate;
-    if (program.hasMultiplier())
-    {
-        imbalance -= solution.multiplier * program.liveLoad;
-        forceScale = std::max(forceScale, std::abs(solution.multiplier)
-                                              * largest<Rows, Forces>(program.liveLoad, 1 / lever));
-        difference -= solution.multiplier;
-        differenceScale = std::max({differenceScale, std::abs(solution.multiplier),
-                                    smallMultiplier * largest<Rows, Forces>(program.load, 1 / lever)
-                                        / largest<Rows, Forces>(program.liveLoad, 1 / lever)});
-        certificate.dualResidual = relative(std::abs(program.liveLoad.dot(y) - 1), 1);
-    }
-    Eigen::VectorXd z =
-        isAtRest ? Eigen::VectorXd(Eigen::VectorXd::Zero(c.size())) : applyTransposed(program, y);
+    ObjectiveDifference difference;
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(c.size());
+    double displacementScale = largestRow<Rows, Forces>(y, lever);
     if (!isAtRest)
     {
-        z *= -1;
+        z = -applyTransposed(program, y);
+        difference.add(inertial.dot(y) - program.load.dot(y),
+                       std::max(magnitude(inertial, y), magnitude(program.load, y)));
+    }
+    if (program.hasMultiplier())
+    {
+        const double alpha = solution.multiplier;
+        difference.add(-alpha, std::max(std::abs(alpha),
+                                        smallMultiplier * largestRow<Rows, Forces>(program.load, 1 / lever)
+                                            / largestRow<Rows, Forces>(program.liveLoad, 1 / lever)));
+        certificate.dualResidual = relative(std::abs(program.liveLoad.dot(y) - 1), 1);
     }
     if (program.gap.size() > 0 || program.hasCompliance())
     {
-        Eigen::VectorXd loaded; // gaps under the forces
-        if (program.hasCompliance())
-        {
-            loaded = gapUnder(program, c);
-        }
-        const Eigen::VectorXd& gap = program.hasCompliance() ? loaded : program.gap;
-        z += gap;
+        const Eigen::VectorXd gap = gapUnder(program, c);
         const double largestGap = gap.size() > 0 ? gap.cwiseAbs().maxCoeff() : 0;
+        z += gap;
         displacementScale = std::max(displacementScale, largestGap);
-        difference += gap.dot(c);
-        differenceScale =
-            std::max({differenceScale, magnitude(gap, c), smallMultiplier * forceScale * largestGap});
+        difference.add(gap.dot(c),
+                       std::max(magnitude(gap, c), smallMultiplier * balance.largestLoad * largestGap));
     }
     const StrengthWork strength = strengthWork(program, z);
-    difference -= strength.least;
-    differenceScale = std::max(differenceScale, strength.size);
+    difference.add(-strength.least, strength.size);
+
     const double openings = dualConeViolation(program, z);
-    if (program.hasInertia() && (openings != 0 || difference != 0)) // what is zero needs no scale
+    if (program.hasInertia() && (openings != 0 || difference.value != 0)) // what is zero needs no scale
     {
         displacementScale = std::max(displacementScale, farthestFall(program, lever));
-        differenceScale = std::max(differenceScale, forceScale * displacementScale);
+        difference.add(0, balance.largestLoad * displacementScale);
     }
-    certificate.primalResidual = std::max(relative(largest<Rows, Forces>(imbalance, 1 / lever), forceScale),
-                                          relative(coneViolation(program, c), forceScale));
+    certificate.primalResidual =
+        std::max(relative(largestRow<Rows, Forces>(balance.missing, 1 / lever), balance.largestLoad),
+                 relative(coneViolation(program, c), balance.largestLoad));
     certificate.dualResidual = std::max(certificate.dualResidual, relative(openings, displacementScale));
-    certificate.dualityGap = relative(std::abs(difference), differenceScale);
+    certificate.dualityGap = relative(std::abs(difference.value), difference.largestTerm);
     return certificate;
 }
 
@@ -269,8 +270,8 @@ Certificate certifyInfeasible(const ConeProgram<Rows, Forces>& program,
     // also beside what the same forces would do on what its openings miss the cone by. Those are known to
     // rounding at best, even where they come out as zero.
     const double size = std::max(magnitude(program.load, displacementRay),
-                                 largest<Rows, Forces>(program.load, 1 / lever)
-                                     * largest<Rows, Forces>(displacementRay, lever));
+                                 largestRow<Rows, Forces>(program.load, 1 / lever)
+                                     * largestRow<Rows, Forces>(displacementRay, lever));
     const double share = relative(work, size + strength.size);
     Certificate certificate;
     if (!(share > 0) || !std::isfinite(share))
@@ -280,13 +281,13 @@ Certificate certifyInfeasible(const ConeProgram<Rows, Forces>& program,
     }
     const double violation = std::max(std::numeric_limits<double>::epsilon(),
                                       relative(dualConeViolation<Rows, Forces>(program, opening),
-                                               largest<Rows, Forces>(displacementRay, lever)));
+                                               largestRow<Rows, Forces>(displacementRay, lever)));
     double liveWork = 0;
     if (program.hasMultiplier())
     {
         liveWork = relative(std::abs(program.liveLoad.dot(displacementRay)),
-                            largest<Rows, Forces>(program.liveLoad, 1 / lever)
-                                * largest<Rows, Forces>(displacementRay, lever));
+                            largestRow<Rows, Forces>(program.liveLoad, 1 / lever)
+                                * largestRow<Rows, Forces>(displacementRay, lever));
     }
     certificate.dualResidual = std::max(violation, liveWork) / share;
     return certificate;
@@ -296,11 +297,12 @@ template<int Rows, int Forces>
 Certificate certifyUnbounded(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& forceRay)
 {
     const double lever = meanLeverArm(program);
-    const double forceScale = largest<Rows, Forces>(program.liveLoad, 1 / lever);
+    const double forceScale = largestRow<Rows, Forces>(program.liveLoad, 1 / lever);
     const Eigen::VectorXd imbalance = applyEquilibrium(program, forceRay) - program.liveLoad;
     Certificate certificate;
-    certificate.primalResidual = std::max(relative(largest<Rows, Forces>(imbalance, 1 / lever), forceScale),
-                                          relative(coneViolation(recession(program), forceRay), forceScale));
+    certificate.primalResidual =
+        std::max(relative(largestRow<Rows, Forces>(imbalance, 1 / lever), forceScale),
+                 relative(coneViolation(recession(program), forceRay), forceScale));
     // Along the ray the objective gains 1 - g'c for each unit of the multiplier, and loses c'Cc/2 of its
     // square.
     const double gain = 1 - (program.gap.size() > 0 ? program.gap.dot(forceRay) : 0);

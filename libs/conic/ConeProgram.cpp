@@ -36,10 +36,21 @@ Eigen::VectorXd applyTransposed(const ConeProgram<Rows, Forces>& program, const 
 }
 
 template<int Rows, int Forces>
+Eigen::VectorXd gapOf(const ConeProgram<Rows, Forces>& program)
+{
+    return program.gap.size() > 0 ? program.gap : Eigen::VectorXd::Zero(Forces * program.points()).eval();
+}
+
+template<int Rows, int Forces>
+Eigen::VectorXd gapAfter(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& displacement)
+{
+    return gapOf(program) - applyTransposed(program, displacement);
+}
+
+template<int Rows, int Forces>
 Eigen::VectorXd gapUnder(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& contactForce)
 {
-    Eigen::VectorXd gap =
-        program.gap.size() > 0 ? program.gap : Eigen::VectorXd::Zero(Forces * program.points()).eval();
+    Eigen::VectorXd gap = gapOf(program);
     if (program.hasCompliance())
     {
         gap += program.compliance.cwiseProduct(contactForce);
@@ -137,6 +148,10 @@ template Eigen::VectorXd applyEquilibrium(const PlaneConeProgram&, const Eigen::
 template Eigen::VectorXd applyEquilibrium(const SpaceConeProgram&, const Eigen::VectorXd&);
 template Eigen::VectorXd applyTransposed(const PlaneConeProgram&, const Eigen::VectorXd&);
 template Eigen::VectorXd applyTransposed(const SpaceConeProgram&, const Eigen::VectorXd&);
+template Eigen::VectorXd gapOf(const PlaneConeProgram&);
+template Eigen::VectorXd gapOf(const SpaceConeProgram&);
+template Eigen::VectorXd gapAfter(const PlaneConeProgram&, const Eigen::VectorXd&);
+template Eigen::VectorXd gapAfter(const SpaceConeProgram&, const Eigen::VectorXd&);
 template Eigen::VectorXd gapUnder(const PlaneConeProgram&, const Eigen::VectorXd&);
 template Eigen::VectorXd gapUnder(const SpaceConeProgram&, const Eigen::VectorXd&);
 template Eigen::VectorXd applyInertia(const PlaneConeProgram&, const Eigen::VectorXd&);

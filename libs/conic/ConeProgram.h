@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string_view>
 #include <vector>
@@ -139,6 +140,8 @@ struct ConeProgram
     bool hasInertia() const { return !inertia.empty(); }
     bool hasCompliance() const { return compliance.size() > 0; }
     bool hasStrength() const { return !strength.empty(); }
+    /// Of a point of a program without strengths: none.
+    Strength strengthOf(std::size_t point) const { return hasStrength() ? strength[point] : Strength{}; }
     bool hasCrushing() const
     {
         return std::any_of(strength.begin(), strength.end(),
@@ -206,6 +209,15 @@ template<int Rows, int Forces>
 Eigen::VectorXd applyTransposed(const ConeProgram<Rows, Forces>& program,
                                 const Eigen::VectorXd& displacement);
 
+/// g: zero where the program has no gaps. \return F k
+template<int Rows, int Forces>
+Eigen::VectorXd gapOf(const ConeProgram<Rows, Forces>& program);
+
+/// g - A' y: how far the points of rigid blocks are apart after displacements. \param displacement R b
+/// \return F k
+template<int Rows, int Forces>
+Eigen::VectorXd gapAfter(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& displacement);
+
 /// g + C c: how far the points are apart with what their forces press them together. \return F k
 template<int Rows, int Forces>
 Eigen::VectorXd gapUnder(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& contactForce);
@@ -223,6 +235,28 @@ double objective(const ConeProgram<Rows, Forces>& program, const ConeSolution& s
 /// rows. 1 when there are no points. Makes moments comparable with forces.
 template<int Rows, int Forces>
 double meanLeverArm(const ConeProgram<Rows, Forces>& program);
+
+/// The largest |entry| of rows of bodies, moments or rotations times a factor: 1 / lever arm makes moments
+/// comparable with forces, the lever arm rotations with displacements. Infinite where an entry is not a
+/// number. \param rows R b
+template<int Rows, int Forces>
+double largestRow(const Eigen::Ref<const Eigen::VectorXd>& rows, double momentFactor)
+{
+    double largest = 0;
+    for (Eigen::Index body = 0; body < rows.size(); body += Rows)
+    {
+        for (int row = 0; row < Rows; ++row)
+        {
+            const double value = std::abs(rows[body + row]) * (row < Forces ? 1 : momentFactor);
+            if (std::isnan(value))
+            {
+                return std::numeric_limits<double>::infinity();
+            }
+            largest = std::max(largest, value);
+        }
+    }
+    return largest;
+}
 
 /// The program with inertia of order one in every row, its masses 1 and radii of gyration the mean lever arm:
 /// how the bodies would start to move (Gauss's principle of least constraint). It always has a solution.

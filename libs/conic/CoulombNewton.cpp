@@ -75,8 +75,7 @@ CoulombNewton<Rows, Forces>::CoulombNewton(const ConeProgram<Rows, Forces>& ofPr
       system(ofProgram, Sliding::coulomb, symbolic),
       start(startAt.displacement),
       load(system.scaledRows(program.load - applyInertia(program, start))),
-      gap((program.gap.size() > 0 ? program.gap : VectorXd::Zero(Forces * program.points()))
-          - applyTransposed(program, start)),
+      gap(gapAfter(program, start)),
       laws(slidingLaws(program, Sliding::coulomb)),
       rho(program.points()),
       s(startAt.contactForce),

@@ -61,7 +61,7 @@ class ElasticStep
 public:
     ElasticStep(const ConeProgram<Rows, Forces>& ofProgram, SymbolicAnalysis& symbolic)
         : program(ofProgram),
-          gap(gapUnder(ofProgram, Eigen::VectorXd::Zero(Forces * ofProgram.points()))),
+          gap(gapOf(ofProgram)),
           system(ofProgram, Sliding::associative, symbolic),
           stiffnessFactor(Eigen::VectorXd::Ones(ofProgram.points())),
           laws(static_cast<std::size_t>(ofProgram.points()))

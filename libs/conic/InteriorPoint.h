@@ -23,7 +23,7 @@ enum class Arithmetic
 struct InteriorPointSettings
 {
     double tolerance = 1e-9;     ///< on every figure of the certificate
-    int maximumIterations = 200; ///< factorisations allowed
+    int maximumIterations = 200; ///< from each start, a factorisation each
     int correctors = 8;          ///< higher-order corrections tried with one factorisation; half of them
                                  ///< where it is cheap compared with its solves
     Arithmetic arithmetic = Arithmetic::adaptive;

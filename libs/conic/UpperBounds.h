@@ -7,11 +7,13 @@
 namespace drystone
 {
 
-/// Whether a program is of the kind that solveByUpperBounds takes.
+/// Whether a program is of the kind that solveByUpperBounds takes: with a multiplier, and without inertia,
+/// compliance, gaps or strengths.
 template<int Rows, int Forces>
 bool hasUpperBounds(const ConeProgram<Rows, Forces>& program);
 
-/// Solves a plane program with a multiplier, and without inertia, gaps or strengths,
+/// Solves a program of the plane or of space with a multiplier, and without inertia, compliance, gaps or
+/// strengths,
 ///
 ///     maximise alpha    subject to    A c = f + alpha L,    |c_t| <= mu c_n,
 ///
@@ -25,8 +27,10 @@ bool hasUpperBounds(const ConeProgram<Rows, Forces>& program);
 ///
 /// \param from where to begin: any alpha; the nearer from above, the fewer programs
 /// \param tolerance on every figure of the certificate
-/// \param maximumIterations of each program
-/// \return `optimal` or `notConverged`; iterations and factorisations of all programs
+/// \param maximumIterations of each program, at most 40 of which are solved
+/// \return `optimal` or `notConverged`, with the multiplier of the last bound, forces that are nearest to the
+/// balance with it, and its mechanism, L'y = 1, or zeros where no program has had one; iterations and
+/// factorisations of all programs
 /// \throws std::invalid_argument for a program of another kind
 template<int Rows, int Forces>
 ConeSolution solveByUpperBounds(const ConeProgram<Rows, Forces>& program, double from, double tolerance,

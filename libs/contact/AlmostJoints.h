@@ -3,7 +3,7 @@
 /// be meant as none.
 #pragma once
 
-#include "contact/AssemblyChecks.h"
+#include "contact/CheckLimits.h"
 #include "contact/Facing.h"
 #include "contact/space/FacingPatches.h"
 

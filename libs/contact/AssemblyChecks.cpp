@@ -38,9 +38,8 @@ struct Findings
     std::vector<std::pair<int, int>>
         near; ///< pairs of blocks whose boxes come within CheckLimits::jointTolerance
     std::vector<ContactPoint<Dim>> points;
-    std::vector<Overlap<Dim>> overlaps; ///< of pairs
-    double largestOverlap = 0;          ///< of any pair, relative to the smaller block
-    FacingFaces<Dim> almostJoints;      ///< faces that nearly touch
+    OverlapSearch<Dim> overlaps;
+    FacingFaces<Dim> almostJoints; ///< faces that nearly touch
 };
 
 void addFault(CheckResult& result, std::string fault)
@@ -50,15 +49,6 @@ void addFault(CheckResult& result, std::string fault)
     {
         result.faults.push_back(std::move(fault));
     }
-}
-
-/// To the millimetre where a structure has coordinates of a map.
-template<int Dim>
-std::string asText(const Vector<Dim>& point)
-{
-    constexpr double ofMap = 1e3; // [m]
-    const int digits = point.template lpNorm<Eigen::Infinity>() < ofMap ? 6 : 10;
-    return fmt::format("({:.{}g})", fmt::join(point.data(), point.data() + Dim, " "), digits);
 }
 
 template<int Dim>
@@ -145,7 +135,7 @@ std::pair<CheckResult, CheckResult> checkOverlaps(const Assembly<Dim>& assembly,
     CheckResult duplicates{"duplicates", "", 0, {}};
     CheckResult overlaps{"overlaps", "", 0, {}};
     std::set<std::pair<int, int>> listed;
-    for (const Overlap<Dim>& overlap : findings.overlaps)
+    for (const Overlap<Dim>& overlap : findings.overlaps.faults)
     {
         const auto [i, j, common, fraction] = overlap;
         listed.emplace(i, j);
@@ -153,7 +143,7 @@ std::pair<CheckResult, CheckResult> checkOverlaps(const Assembly<Dim>& assembly,
         {
             addFault(duplicates,
                      fmt::format("{} and {} are the same block twice, at {}", blockName(assembly, i),
-                                 blockName(assembly, j), asText<Dim>(findings.masses[i].centroid)));
+                                 blockName(assembly, j), placeText<Dim>(findings.masses[i].centroid)));
         }
         else
         {
@@ -169,12 +159,12 @@ std::pair<CheckResult, CheckResult> checkOverlaps(const Assembly<Dim>& assembly,
             addFault(overlaps,
                      fmt::format("faces of {} and {} are {:.3g} m in each other at {}: no joint",
                                  blockName(assembly, piece.block), blockName(assembly, piece.neighbour),
-                                 openness(piece), asText<Dim>(placeOf(piece))));
+                                 openness(piece), placeText<Dim>(placeOf(piece))));
         }
     }
     duplicates.message = fmt::format("Duplicated blocks: {}", duplicates.failures);
     overlaps.message = fmt::format("Overlapping pairs: {}. Largest overlap = {:.3g} of a block",
-                                   overlaps.failures, findings.largestOverlap);
+                                   overlaps.failures, findings.overlaps.largest);
     return {duplicates, overlaps};
 }
 
@@ -194,7 +184,7 @@ CheckResult checkGaps(const Assembly<Dim>& assembly, const Findings<Dim>& findin
             addFault(result,
                      fmt::format("{} and {} are {:.3g} m apart at {}: no joint",
                                  blockName(assembly, piece.block), blockName(assembly, piece.neighbour),
-                                 openness(piece), asText<Dim>(placeOf(piece))));
+                                 openness(piece), placeText<Dim>(placeOf(piece))));
         }
     }
     result.message = fmt::format("Faces that nearly touch (within {:.3g} m): {}", limits.gap * findings.size,
@@ -213,7 +203,7 @@ CheckResult checkSupportPaths(const Assembly<Dim>& assembly, const Findings<Dim>
     for (const int block : blocksWithoutSupport(assembly, findings.points))
     {
         addFault(result, fmt::format("block {} at {} has no path to a support through the joints", block,
-                                     asText<Dim>(findings.masses[block].centroid)));
+                                     placeText<Dim>(findings.masses[block].centroid)));
     }
     result.message = fmt::format("Blocks with no path to a support: {}", result.failures);
     return result;
@@ -239,7 +229,7 @@ CheckResult checkJointSizes(const Assembly<Dim>& assembly, const Findings<Dim>& 
             addFault(result, fmt::format("the joint of {} and {} at {} is {:.3g} {}",
                                          blockName(assembly, points[first].block),
                                          blockName(assembly, points[first].neighbour),
-                                         asText<Dim>(points[first].position), size,
+                                         placeText<Dim>(points[first].position), size,
                                          Dim == 2 ? "m long" : "m2 large"));
         }
     }
@@ -260,7 +250,7 @@ CheckResult checkStatedJoints(const Assembly<3>& assembly)
         const StatedJoint<3>& joint = assembly.statedJoints[static_cast<std::size_t>(one.joint)];
         addFault(result, fmt::format("the joint of {} and {} has a point at {} that is {:.3g} m off block {}",
                                      blockName(assembly, joint.block), blockName(assembly, joint.neighbour),
-                                     asText<3>(one.point), one.farOff, one.block));
+                                     placeText<3>(one.point), one.farOff, one.block));
     }
     const std::vector<std::pair<int, int>> lacking = facesWithoutStatedJoint(assembly);
     for (const auto& [block, neighbour] : lacking)
@@ -305,7 +295,7 @@ CheckResult checkTouches(const Assembly<Dim>& assembly, const Findings<Dim>& fin
             {
                 addFault(result, fmt::format("{}{} touches {} at {} without a joint",
                                              Dim == 2 ? "a corner of " : "", blockName(assembly, one),
-                                             blockName(assembly, other), asText<Dim>(place)));
+                                             blockName(assembly, other), placeText<Dim>(place)));
             }
             if (Dim == 3 && !places.empty())
             {
@@ -325,91 +315,7 @@ CheckResult checkTouches(const Assembly<Dim>& assembly, const Findings<Dim>& fin
     return result;
 }
 
-template<int Dim>
-AssemblyStatistics<Dim> count(const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points)
-{
-    AssemblyStatistics<Dim> statistics;
-    Box<Dim> freeBox;
-    for (const Block<Dim>& block : assembly.blocks)
-    {
-        statistics.vertices += static_cast<int>(cornersOf(block).size());
-        statistics.concaveBlocks += isConvexBlock(block) ? 0 : 1;
-        if (block.support < 0)
-        {
-            const Box<Dim> box = boundingBox(block);
-            ++statistics.freeBlocks;
-            freeBox.lower = freeBox.lower.cwiseMin(box.lower);
-            freeBox.upper = freeBox.upper.cwiseMax(box.upper);
-        }
-    }
-    statistics.blocks = static_cast<int>(assembly.blocks.size());
-    statistics.supports = static_cast<int>(assembly.supports.size());
-    statistics.contactPoints = static_cast<int>(points.size());
-    statistics.joints = points.empty() ? 0 : points.back().joint + 1;
-    if (statistics.freeBlocks > 0)
-    {
-        statistics.lower = freeBox.lower;
-        statistics.upper = freeBox.upper;
-    }
-    return statistics;
-}
-
-/// See findOverlaps. \param largest overlap of any pair, relative to the smaller block
-template<int Dim>
-std::vector<Overlap<Dim>> overlapsOf(const Assembly<Dim>& assembly, const CheckLimits& limits,
-                                     double& largest)
-{
-    const double size = meanBlockSize(assembly);
-    // Joints in space stay as far apart, or in each other, as they were built.
-    const double tolerance =
-        std::max(limits.jointTolerance * size, Dim == 3 ? assembly.closure.tolerance : 0);
-    std::vector<Box<Dim>> boxes;
-    for (const Block<Dim>& block : assembly.blocks)
-    {
-        boxes.push_back(boundingBox(block));
-    }
-    std::vector<Overlap<Dim>> overlaps;
-    for (const auto& [i, j] : findMeetingPairs(boxes))
-    {
-        const Block<Dim>& a = assembly.blocks[i];
-        const Block<Dim>& b = assembly.blocks[j];
-        const double common = commonExtent(a, b, tolerance);
-        const double smaller = std::min(extentOf(a), extentOf(b));
-        const bool isTwice = common > limits.duplicate * std::max(extentOf(a), extentOf(b));
-        // A joint may overlap by its tolerance, over at most the length of the smaller block's box, squared
-        // in space.
-        const double length =
-            std::min((boxes[i].upper - boxes[i].lower).norm(), (boxes[j].upper - boxes[j].lower).norm());
-        const double allowed = std::min(2 * tolerance * std::pow(length, Dim - 1), 0.5 * smaller);
-        largest = isTwice ? largest : std::max(largest, common / smaller);
-        // A tip has little volume: where that is allowed, its depth tells, unless there is less of it than a
-        // sharp tip of that depth has.
-        constexpr double sharpest = 1e-4;
-        const double deep = std::max(2 * tolerance, limits.depth * length);
-        const bool isDeep =
-            common > sharpest * std::pow(deep, Dim) && common <= allowed && commonDepth(a, b) > deep;
-        if (isTwice || common > allowed || isDeep)
-        {
-            overlaps.push_back({i, j, common, common / smaller});
-        }
-    }
-    return overlaps;
-}
-
 } // namespace
-
-template<int Dim>
-std::vector<Overlap<Dim>> findOverlaps(const Assembly<Dim>& assembly, const CheckLimits& limits)
-{
-    double largest = 0;
-    return overlapsOf(assembly, limits, largest);
-}
-
-template<int Dim>
-AssemblyStatistics<Dim> countAssembly(const Assembly<Dim>& assembly)
-{
-    return count(assembly, findContactPoints(assembly));
-}
 
 template<int Dim>
 AssemblyReport<Dim> checkAssembly(const Assembly<Dim>& assembly, CheckExtent extent,
@@ -420,11 +326,11 @@ AssemblyReport<Dim> checkAssembly(const Assembly<Dim>& assembly, CheckExtent ext
     findings.masses = blockMasses(assembly);
     findings.near = blocksWithin(assembly, limits.jointTolerance * findings.size);
     findings.points = findContactPoints(assembly);
-    findings.overlaps = overlapsOf(assembly, limits, findings.largestOverlap);
+    findings.overlaps = searchOverlaps(assembly, limits);
     findings.almostJoints = findAlmostJoints(assembly, limits);
 
     AssemblyReport<Dim> report;
-    report.statistics = count(assembly, findings.points);
+    report.statistics = countAssembly(assembly, findings.points);
     report.checks.push_back(checkVolumes(assembly, findings, limits));
     report.checks.push_back(checkInertia(assembly, limits));
     auto [duplicates, overlaps] = checkOverlaps(assembly, findings, limits);
@@ -448,67 +354,9 @@ AssemblyReport<Dim> checkAssembly(const Assembly<Dim>& assembly, CheckExtent ext
     return report;
 }
 
-template<int Dim>
-int failedChecks(const AssemblyReport<Dim>& report)
-{
-    return static_cast<int>(std::count_if(report.checks.begin(), report.checks.end(),
-                                          [](const CheckResult& check) { return check.failures > 0; }));
-}
-
-template<int Dim>
-std::string printedReport(const Assembly<Dim>& assembly, const AssemblyReport<Dim>& report)
-{
-    const AssemblyStatistics<Dim>& statistics = report.statistics;
-    std::string text = "Assembly stats\n";
-    const auto line = [&text](std::string_view name, const auto& value)
-    { text += fmt::format("    {:<18}{}\n", fmt::format("{}:", name), value); };
-    line("blocks", statistics.blocks);
-    line("free blocks", statistics.freeBlocks);
-    line("concave blocks", statistics.concaveBlocks);
-    line("vertices", statistics.vertices);
-    line("joints", statistics.joints);
-    line("contact points", statistics.contactPoints);
-    line("supports", statistics.supports);
-    for (std::size_t i = 0; i < assembly.supports.size(); ++i)
-    {
-        const auto fixed =
-            std::count_if(assembly.blocks.begin(), assembly.blocks.end(),
-                          [&](const Block<Dim>& block) { return block.support == static_cast<int>(i); });
-        text += fmt::format("        {} ({}), {} blocks\n", assembly.supports[i].name,
-                            assembly.supports[i].type, fixed);
-    }
-    text += fmt::format("\nChecking geometry...\n    Bounding box of the free blocks {} {} m\n",
-                        asText<Dim>(statistics.lower), asText<Dim>(statistics.upper));
-    for (const CheckResult& check : report.checks)
-    {
-        text += check.failures == 0 ? fmt::format("    {} OK.\n", check.message)
-                                    : fmt::format(" ***{}, {} failed.\n", check.message, check.name);
-        for (const std::string& fault : check.faults)
-        {
-            text += fmt::format("      - {}\n", fault);
-        }
-        if (check.failures > static_cast<int>(check.faults.size()))
-        {
-            text +=
-                fmt::format("      - and {} more\n", check.failures - static_cast<int>(check.faults.size()));
-        }
-    }
-    const int failed = failedChecks(report);
-    text += failed == 0 ? "\nAssembly OK." : fmt::format("\nFailed {} checks.", failed);
-    return text;
-}
-
-template std::vector<Overlap<2>> findOverlaps(const Assembly<2>& assembly, const CheckLimits& limits);
-template AssemblyStatistics<2> countAssembly(const Assembly<2>& assembly);
 template AssemblyReport<2> checkAssembly(const Assembly<2>& assembly, CheckExtent extent,
                                          const CheckLimits& limits);
-template int failedChecks(const AssemblyReport<2>& report);
-template std::string printedReport(const Assembly<2>& assembly, const AssemblyReport<2>& report);
-template std::vector<Overlap<3>> findOverlaps(const Assembly<3>& assembly, const CheckLimits& limits);
-template AssemblyStatistics<3> countAssembly(const Assembly<3>& assembly);
 template AssemblyReport<3> checkAssembly(const Assembly<3>& assembly, CheckExtent extent,
                                          const CheckLimits& limits);
-template int failedChecks(const AssemblyReport<3>& report);
-template std::string printedReport(const Assembly<3>& assembly, const AssemblyReport<3>& report);
 
 } // namespace drystone

@@ -3,7 +3,7 @@
 /// because it takes the facing of blocks to close joints and the overlap of blocks to refuse them.
 #pragma once
 
-#include "contact/AssemblyChecks.h"
+#include "contact/Overlaps.h"
 
 #include <filesystem>
 #include <string>

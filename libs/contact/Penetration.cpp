@@ -45,20 +45,6 @@ double overlapOfConvex(const Polygon& a, const Polygon& b)
     return std::max(0.0, -std::max(separationByEdgesOf(a, b), separationByEdgesOf(b, a)));
 }
 
-std::vector<Polygon> convexParts(const Polygon& polygon)
-{
-    if (isConvex(polygon))
-    {
-        return {polygon};
-    }
-    std::vector<Polygon> parts;
-    for (const auto& triangle : triangulate(polygon))
-    {
-        parts.emplace_back(triangle.begin(), triangle.end());
-    }
-    return parts;
-}
-
 double deepestVertex(const Polygon& of, const Polygon& in)
 {
     double deepest = 0;

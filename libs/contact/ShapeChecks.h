@@ -3,7 +3,7 @@
 #pragma once
 
 #include "assembly/BlockShape.h"
-#include "contact/AssemblyChecks.h"
+#include "contact/CheckLimits.h"
 #include "contact/ContactPoint.h"
 #include "geometry/BroadPhase.h"
 
@@ -82,17 +82,19 @@ double extentOf(const Block<3>& block);
 double commonExtent(const Block<2>& one, const Block<2>& other, double tolerance);
 double commonExtent(const Block<3>& one, const Block<3>& other, double tolerance);
 
-/// How deep two blocks lie in each other [m].
+/// How deep two blocks lie in each other [m]; 0 where they are apart or touch.
 double commonDepth(const Block<2>& one, const Block<2>& other);
 double commonDepth(const Block<3>& one, const Block<3>& other);
 
+/// Whether no corner of an outline, or edge of a polyhedron, turns inwards.
 bool isConvexBlock(const Block<2>& block);
 bool isConvexBlock(const Block<3>& block);
 
 /// What is wrong with the inertia of a block, as a predicate that continues `block 3 `; empty when nothing
-/// is.
+/// is. \param range gets the block's figure, CheckLimits::gyration
 std::string inertiaFault(const Block<2>& block, const CheckLimits& limits, CheckedRange& range);
 std::string inertiaFault(const Block<3>& block, const CheckLimits& limits, CheckedRange& range);
+/// The line of the report, without its verdict.
 template<int Dim>
 std::string inertiaMessage(const CheckedRange& range);
 template<>
@@ -100,7 +102,7 @@ std::string inertiaMessage<2>(const CheckedRange& range);
 template<>
 std::string inertiaMessage<3>(const CheckedRange& range);
 
-/// What makes a block a sliver, likewise.
+/// What makes a block a sliver, likewise. \param ranges get the block's figures
 std::string sliverFault(const Block<2>& block, const CheckLimits& limits, SliverRanges& ranges);
 std::string sliverFault(const Block<3>& block, const CheckLimits& limits, SliverRanges& ranges);
 template<int Dim>
@@ -117,7 +119,8 @@ double jointSize(std::span<const ContactPoint<3>> points);
 
 /// Where one block touches another that it has no joint with: in the plane each corner of the one that lies
 /// on an edge of the other and not at its corner; in space one such corner, or a place between them where
-/// edges cross.
+/// edges cross. \param tolerance within which they touch [m] \return the places [m]; none where they do not
+/// touch
 std::vector<Vector<2>> loneTouches(const Block<2>& one, const Block<2>& other, double tolerance);
 std::vector<Vector<3>> loneTouches(const Block<3>& one, const Block<3>& other, double tolerance);
 

@@ -188,70 +188,59 @@ double relativeUncertainty(const Reference& reference)
     return reference.uncertainty / std::abs(reference.value);
 }
 
-/// The reference of a quantity; nothing when a signal has come.
-std::optional<Reference> referenceOf(const AccuracyStudy& study, std::size_t index, RunSequence& sequence)
+/// The runs that a quantity is compared with, finest last; nothing when a signal has come.
+/// \throws FatalIOError where one of them fails
+std::optional<std::vector<AccuracyPoint>> finestRuns(const AccuracyStudy& study, std::size_t index,
+                                                     RunSequence& sequence)
 {
     const StudyQuantity& quantity = study.quantities[index];
-    const ReferencePlan& plan = quantity.reference;
-    Reference reference;
-    if (plan.kind == ReferencePlan::Kind::value)
+    std::vector<AccuracyPoint> points;
+    for (const RunPlan& runs : referencePlans(study, index))
     {
-        reference = {plan.value, 0, plan.source};
-    }
-    else if (plan.kind == ReferencePlan::Kind::Housner)
-    {
-        reference = {quantity.housner, 0,
-                     "Housner's equation (1963) with its impacts, integrated between events by GSL's "
-                     "adaptive method of Prince and Dormand of order 8 to about 1e-12"};
-    }
-    else
-    {
-        std::vector<AccuracyPoint> points;
-        for (const RunPlan& runs : referencePlans(study, index))
+        const auto done = sequence.carryOut(runs);
+        if (!done)
         {
-            const auto done = sequence.carryOut(runs);
-            if (!done)
-            {
-                return {};
-            }
-            points.push_back(summarise(runs.setting, *done, 1, done->size()));
-            if (!points.back().isWhole())
-            {
-                throw FatalIOError(
-                    fmt::format("The finest run that {} is compared with fails: {} of {} runs ({}) were not "
-                                "solved, or did not have the figure before endTime.",
-                                quantity.name, points.back().failed, points.back().runs,
-                                settingText(runs.setting, quantity.kind)),
-                    plan.location, 2);
-            }
+            return {};
         }
-        const AccuracyPoint& finest = points.back();
-        const std::string with = settingText(finest.setting, quantity.kind);
-        if (quantity.kind == QuantityKind::motion)
+        points.push_back(summarise(runs.setting, *done, 1, done->size()));
+        if (!points.back().isWhole())
         {
-            const Extrapolation limit = extrapolate(points[0].value, points[1].value, points[2].value);
-            reference = {
-                limit.value, limit.uncertainty,
-                limit.order > 0
-                    ? fmt::format("Richardson's extrapolation of the case's own finest runs ({}, and twice "
-                                  "and four times this step; medians of {} phases), which converge with "
-                                  "order {:.2f}",
-                                  with, finest.runs, limit.order)
-                    : fmt::format("the case's own finest run ({}; median of {} phases); with twice and four "
-                                  "times this step it shows no order to extrapolate with",
-                                  with, finest.runs)};
-        }
-        else
-        {
-            reference = {finest.value, finest.setting.tolerance * std::abs(finest.value),
-                         fmt::format("the case's own finest run ({})", with)};
+            throw FatalIOError(
+                fmt::format("The finest run that {} is compared with fails: {} of {} runs ({}) were not "
+                            "solved, or did not have the figure before endTime.",
+                            quantity.name, points.back().failed, points.back().runs,
+                            settingText(runs.setting, quantity.kind)),
+                quantity.reference.location, 2);
         }
     }
-    if (plan.kind == ReferencePlan::Kind::finest && quantity.quantity.resolution > reference.uncertainty)
+    return points;
+}
+
+/// \param points as finestRuns gives them
+Reference ownReference(const StudyQuantity& quantity, const std::vector<AccuracyPoint>& points)
+{
+    const AccuracyPoint& finest = points.back();
+    const std::string with = settingText(finest.setting, quantity.kind);
+    if (quantity.kind != QuantityKind::motion)
     {
-        reference.uncertainty = quantity.quantity.resolution;
-        reference.text += "; it is known to half the interval between the intensities that are tried";
+        return {finest.value, finest.setting.tolerance * std::abs(finest.value),
+                fmt::format("the case's own finest run ({})", with)};
     }
+    const Extrapolation limit = extrapolate(points[0].value, points[1].value, points[2].value);
+    return {limit.value, limit.uncertainty,
+            limit.order > 0
+                ? fmt::format("Richardson's extrapolation of the case's own finest runs ({}, and twice "
+                              "and four times this step; medians of {} phases), which converge with "
+                              "order {:.2f}",
+                              with, finest.runs, limit.order)
+                : fmt::format("the case's own finest run ({}; median of {} phases); with twice and four "
+                              "times this step it shows no order to extrapolate with",
+                              with, finest.runs)};
+}
+
+/// \throws FatalIOError where no error can be relative to a reference
+void checkReference(const StudyQuantity& quantity, Reference& reference)
+{
     if (reference.uncertainty >= std::abs(reference.value))
     {
         reference.text += "; it is smaller than its own uncertainty, and errors relative to it say nothing";
@@ -260,7 +249,7 @@ std::optional<Reference> referenceOf(const AccuracyStudy& study, std::size_t ind
                         "relative to it say nothing. Choose a quantity that is not zero, or a reference "
                         "of another type.",
                         quantity.name, reference.value, reference.uncertainty),
-            plan.location);
+            quantity.reference.location);
     }
     if (reference.value == 0 || !std::isfinite(reference.value))
     {
@@ -268,8 +257,42 @@ std::optional<Reference> referenceOf(const AccuracyStudy& study, std::size_t ind
             fmt::format("The reference of {} is {}: there is no error relative to it. Choose a quantity "
                         "that is not zero.",
                         quantity.name, reference.value),
-            plan.location);
+            quantity.reference.location);
     }
+}
+
+/// The reference of a quantity; nothing when a signal has come.
+std::optional<Reference> referenceOf(const AccuracyStudy& study, std::size_t index, RunSequence& sequence)
+{
+    const StudyQuantity& quantity = study.quantities[index];
+    Reference reference;
+    switch (quantity.reference.kind)
+    {
+    case ReferencePlan::Kind::value:
+        reference = {quantity.reference.value, 0, quantity.reference.source};
+        break;
+    case ReferencePlan::Kind::Housner:
+        reference = {quantity.housner, 0,
+                     "Housner's equation (1963) with its impacts, integrated between events by GSL's "
+                     "adaptive method of Prince and Dormand of order 8 to about 1e-12"};
+        break;
+    case ReferencePlan::Kind::finest:
+    {
+        const auto points = finestRuns(study, index, sequence);
+        if (!points)
+        {
+            return {};
+        }
+        reference = ownReference(quantity, *points);
+        if (quantity.quantity.resolution > reference.uncertainty)
+        {
+            reference.uncertainty = quantity.quantity.resolution;
+            reference.text += "; it is known to half the interval between the intensities that are tried";
+        }
+        break;
+    }
+    }
+    checkReference(quantity, reference);
     return reference;
 }
 

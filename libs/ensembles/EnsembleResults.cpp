@@ -149,6 +149,91 @@ std::string numberText(double value)
     return std::isnan(value) ? "-" : fmt::format("{:.6g}", value);
 }
 
+void printSamples(const Ensemble& ensemble, const std::map<long, SampleRow>& rows)
+{
+    double cpuTime = 0;
+    for (const auto& [sample, row] : rows)
+    {
+        cpuTime += row.cpuTime;
+    }
+    printLine();
+    info("Samples: {} of {}{}, {:.3g} s CPU time, {:.3g} ms a sample", rows.size(), ensemble.samples(),
+         static_cast<long>(rows.size()) < ensemble.samples() ? " so far" : "", cpuTime,
+         rows.empty() ? 0 : 1000 * cpuTime / static_cast<double>(rows.size()));
+}
+
+void printStatistic(const std::string& name, const StatisticResult& result)
+{
+    printLine();
+    info("{}", name);
+    for (const StatisticRow& row : result.rows)
+    {
+        const bool hasError = !std::isnan(row.standardError);
+        const bool hasInterval = !std::isnan(row.lower);
+        info("    {} = {}{}{}", row.quantity, numberText(row.value),
+             hasError ? ", standard error " + numberText(row.standardError) : "",
+             hasInterval ? fmt::format(", 95% from {} to {}", numberText(row.lower), numberText(row.upper))
+                         : "");
+    }
+    for (const std::string& remark : result.remarks)
+    {
+        info("    {}.", remark);
+    }
+}
+
+/// An expression may have blanks, a column may not.
+std::string columnText(std::string expression)
+{
+    std::erase(expression, ' ');
+    return expression;
+}
+
+/// Of statistics.dat.
+std::string linesOf(const std::string& name, const StatisticResult& result)
+{
+    std::string text;
+    for (const StatisticRow& row : result.rows)
+    {
+        text += fmt::format("{} {} {:.12g} {:.12g} {:.12g} {:.12g}\n", name, columnText(row.quantity),
+                            row.value, row.standardError, row.lower, row.upper);
+    }
+    return text;
+}
+
+std::string curveText(const StatisticTable& table)
+{
+    std::vector<std::string> columns;
+    for (const std::string& column : table.columns)
+    {
+        columns.push_back(columnText(column));
+    }
+    std::string text = fmt::format("# {}\n", fmt::join(columns, " "));
+    for (const std::vector<double>& row : table.rows)
+    {
+        std::string line;
+        for (const double value : row)
+        {
+            line += fmt::format("{}{:.12g}", line.empty() ? "" : " ", value);
+        }
+        text += line + "\n";
+    }
+    return text;
+}
+
+/// The table and the pictures of a statistic that has them.
+void writeStatistic(const Ensemble& ensemble, const std::string& name, const StatisticResult& result)
+{
+    const fs::path folder = ensembleFolder(ensemble.caseDirectory);
+    if (!result.table.rows.empty())
+    {
+        writeWholeFile(folder / (name + ".dat"), curveText(result.table));
+    }
+    for (const auto& [suffix, plot] : result.pictures)
+    {
+        writePlot(folder / (name + suffix), plot, ensemble.pictureFormats);
+    }
+}
+
 } // namespace
 
 SampleTable collectSamples(const Ensemble& ensemble, std::map<long, SampleRow>& rows)
@@ -189,17 +274,8 @@ SampleTable collectSamples(const Ensemble& ensemble, std::map<long, SampleRow>& 
 
 int writeEnsemble(const Ensemble& ensemble, const std::map<long, SampleRow>& rows, const SampleTable& table)
 {
-    const fs::path folder = ensembleFolder(ensemble.caseDirectory);
     writeTable(ensemble, rows);
-    double cpuTime = 0;
-    for (const auto& [sample, row] : rows)
-    {
-        cpuTime += row.cpuTime;
-    }
-    printLine();
-    info("Samples: {} of {}{}, {:.3g} s CPU time, {:.3g} ms a sample", rows.size(), ensemble.samples(),
-         static_cast<long>(rows.size()) < ensemble.samples() ? " so far" : "", cpuTime,
-         rows.empty() ? 0 : 1000 * cpuTime / static_cast<double>(rows.size()));
+    printSamples(ensemble, rows);
     const long failed = printFailures(ensemble, rows);
     printMessages(ensemble);
     if (rows.empty())
@@ -210,51 +286,11 @@ int writeEnsemble(const Ensemble& ensemble, const std::map<long, SampleRow>& row
     for (const auto& [name, statistic] : ensemble.settings.statistics)
     {
         const StatisticResult result = statistic.evaluate(name, table);
-        printLine();
-        info("{}", name);
-        for (const StatisticRow& row : result.rows)
-        {
-            const bool hasError = !std::isnan(row.standardError);
-            const bool hasInterval = !std::isnan(row.lower);
-            info("    {} = {}{}{}", row.quantity, numberText(row.value),
-                 hasError ? ", standard error " + numberText(row.standardError) : "",
-                 hasInterval
-                     ? fmt::format(", 95% from {} to {}", numberText(row.lower), numberText(row.upper))
-                     : "");
-            std::string quantity = row.quantity; // an expression may have blanks, a column may not
-            std::erase(quantity, ' ');
-            text += fmt::format("{} {} {:.12g} {:.12g} {:.12g} {:.12g}\n", name, quantity, row.value,
-                                row.standardError, row.lower, row.upper);
-        }
-        for (const std::string& remark : result.remarks)
-        {
-            info("    {}.", remark);
-        }
-        if (!result.table.rows.empty())
-        {
-            std::vector<std::string> columns = result.table.columns;
-            for (std::string& column : columns)
-            {
-                std::erase(column, ' ');
-            }
-            std::string curve = fmt::format("# {}\n", fmt::join(columns, " "));
-            for (const std::vector<double>& row : result.table.rows)
-            {
-                std::string line;
-                for (const double value : row)
-                {
-                    line += fmt::format("{}{:.12g}", line.empty() ? "" : " ", value);
-                }
-                curve += line + "\n";
-            }
-            writeWholeFile(folder / (name + ".dat"), curve);
-        }
-        for (const auto& [suffix, plot] : result.pictures)
-        {
-            writePlot(folder / (name + suffix), plot, ensemble.pictureFormats);
-        }
+        printStatistic(name, result);
+        text += linesOf(name, result);
+        writeStatistic(ensemble, name, result);
     }
-    writeWholeFile(folder / "statistics.dat", text);
+    writeWholeFile(ensembleFolder(ensemble.caseDirectory) / "statistics.dat", text);
     for (std::size_t variable = 0; variable < table.variables; ++variable)
     {
         writeScatter(ensemble, table, variable);

@@ -179,18 +179,13 @@ void printEnvelope(const LimitAnalysisCase<Dim>& structure)
     }
 }
 
-template<int Dim>
-void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<Dim>& structure,
-                   const std::string& caseName, const PictureFormats& formats)
+namespace
 {
-    const std::filesystem::path table = folder / "movingLoad.dat";
-    const std::filesystem::path picture = folder / "movingLoad";
-    removePicture(picture);
-    if (structure.envelope.empty())
-    {
-        writeOrRemove(table, "");
-        return;
-    }
+
+/// A line a place.
+template<int Dim>
+std::string tableOf(const LimitAnalysisCase<Dim>& structure)
+{
     std::string text =
         fmt::format("# distance[m] x[m] y[m] {}block[-] alpha[-] status[-]\n", Dim == 3 ? "z[m] " : "");
     for (std::size_t i = 0; i < structure.envelope.size(); ++i)
@@ -201,31 +196,13 @@ void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<
                             position.blocks.front(), alphaOf(structure.envelope[i]),
                             static_cast<int>(structure.envelope[i].status));
     }
-    writeWholeFile(table, text);
+    return text;
+}
 
-    const std::vector<EnvelopePoint> points = envelopeOf(structure);
-    const std::optional<EnvelopePoint> worst = worstPlace(structure);
-    if (!worst)
-    {
-        return;
-    }
-    Plot plot;
-    plot.title = fmt::format("Moving load on {}", caseName);
-    plot.subtitle = fmt::format("worst place {:.4g} m along the path, from {}: alpha = {:.6g}",
-                                worst->distance, placeText(structure, *worst), worst->alpha);
-    plot.x.label = "distance of the load along its path [m]";
-    plot.y.label = "collapse multiplier alpha [-]";
-    plot.y.lower = 0;
-    // Near the supports it grows beyond all bounds, which would flatten the rest.
-    constexpr double shown = 6;
-    const bool isCut =
-        std::any_of(points.begin(), points.end(),
-                    [&](const EnvelopePoint& point) { return point.alpha > shown * worst->alpha; });
-    if (isCut && worst->alpha > 0)
-    {
-        plot.y.upper = shown * worst->alpha;
-    }
-    // A line ends where the multiplier is unbounded.
+/// The curve in parts: a line ends where the multiplier is unbounded.
+std::vector<PlotCurve> curvesOf(const std::vector<EnvelopePoint>& points)
+{
+    std::vector<PlotCurve> curves;
     PlotCurve curve;
     curve.name = "alpha";
     curve.colour = curveColour(0);
@@ -234,7 +211,7 @@ void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<
     {
         if (!curve.x.empty())
         {
-            plot.curves.push_back(curve);
+            curves.push_back(curve);
             curve.name.clear();
         }
         curve.x.clear();
@@ -251,15 +228,65 @@ void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<
         curve.y.push_back(point.alpha);
     }
     finish();
+    return curves;
+}
+
+PlotCurve markOf(const EnvelopePoint& worst)
+{
     PlotCurve mark;
     mark.name = "worst place";
-    mark.x = {worst->distance};
-    mark.y = {worst->alpha};
+    mark.x = {worst.distance};
+    mark.y = {worst.alpha};
     mark.line = CurveLine::none;
     mark.marker = CurveMarker::circle;
     mark.colour = curveColour(1);
-    plot.curves.push_back(mark);
-    writePlot(picture, plot, formats);
+    return mark;
+}
+
+template<int Dim>
+Plot plotOf(const LimitAnalysisCase<Dim>& structure, const EnvelopePoint& worst, const std::string& caseName)
+{
+    const std::vector<EnvelopePoint> points = envelopeOf(structure);
+    Plot plot;
+    plot.title = fmt::format("Moving load on {}", caseName);
+    plot.subtitle = fmt::format("worst place {:.4g} m along the path, from {}: alpha = {:.6g}",
+                                worst.distance, placeText(structure, worst), worst.alpha);
+    plot.x.label = "distance of the load along its path [m]";
+    plot.y.label = "collapse multiplier alpha [-]";
+    plot.y.lower = 0;
+    // Near the supports it grows beyond all bounds, which would flatten the rest.
+    constexpr double shown = 6;
+    const bool isCut =
+        std::any_of(points.begin(), points.end(),
+                    [&](const EnvelopePoint& point) { return point.alpha > shown * worst.alpha; });
+    if (isCut && worst.alpha > 0)
+    {
+        plot.y.upper = shown * worst.alpha;
+    }
+    plot.curves = curvesOf(points);
+    plot.curves.push_back(markOf(worst));
+    return plot;
+}
+
+} // namespace
+
+template<int Dim>
+void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<Dim>& structure,
+                   const std::string& caseName, const PictureFormats& formats)
+{
+    const std::filesystem::path table = folder / "movingLoad.dat";
+    const std::filesystem::path picture = folder / "movingLoad";
+    removePicture(picture);
+    if (structure.envelope.empty())
+    {
+        writeOrRemove(table, "");
+        return;
+    }
+    writeWholeFile(table, tableOf(structure));
+    if (const std::optional<EnvelopePoint> worst = worstPlace(structure))
+    {
+        writePlot(picture, plotOf(structure, *worst, caseName), formats);
+    }
 }
 
 template std::vector<EnvelopePoint> envelopeOf(const LimitAnalysisCase<2>& structure);

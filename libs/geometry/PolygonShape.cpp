@@ -30,20 +30,6 @@ double convexOverlapArea(const Polygon& a, const Polygon& b)
     return std::max(0.0, areaProperties(convexIntersection(a, b)).area);
 }
 
-std::vector<Polygon> convexPieces(const Polygon& polygon)
-{
-    if (isConvex(polygon))
-    {
-        return {polygon};
-    }
-    std::vector<Polygon> pieces;
-    for (const auto& [a, b, c] : triangulate(polygon))
-    {
-        pieces.push_back({a, b, c});
-    }
-    return pieces;
-}
-
 bool foldBack(const Vector<2>& before, const Vector<2>& corner, const Vector<2>& after, double tolerance)
 {
     if ((corner - before).dot(after - corner) >= 0)
@@ -246,6 +232,20 @@ std::vector<std::array<Vector<2>, 3>> triangulate(const Polygon& polygon)
     return triangles;
 }
 
+std::vector<Polygon> convexParts(const Polygon& polygon)
+{
+    if (isConvex(polygon))
+    {
+        return {polygon};
+    }
+    std::vector<Polygon> parts;
+    for (const auto& [a, b, c] : triangulate(polygon))
+    {
+        parts.push_back({a, b, c});
+    }
+    return parts;
+}
+
 double overlapArea(const Polygon& a, const Polygon& b)
 {
     if (!meet(boundingBox(a), boundingBox(b)))
@@ -253,14 +253,14 @@ double overlapArea(const Polygon& a, const Polygon& b)
         return 0;
     }
     double area = 0;
-    const std::vector<Polygon> piecesOfB = convexPieces(b);
-    for (const Polygon& pieceOfA : convexPieces(a))
+    const std::vector<Polygon> partsOfB = convexParts(b);
+    for (const Polygon& partOfA : convexParts(a))
     {
-        for (const Polygon& pieceOfB : piecesOfB)
+        for (const Polygon& partOfB : partsOfB)
         {
-            if (meet(boundingBox(pieceOfA), boundingBox(pieceOfB)))
+            if (meet(boundingBox(partOfA), boundingBox(partOfB)))
             {
-                area += convexOverlapArea(pieceOfA, pieceOfB);
+                area += convexOverlapArea(partOfA, partOfB);
             }
         }
     }

@@ -34,6 +34,10 @@ std::vector<std::array<int, 3>> triangleCorners(const Polygon& polygon);
 /// The same with the corners themselves.
 std::vector<std::array<Vector<2>, 3>> triangulate(const Polygon& polygon);
 
+/// Convex polygons that together make up a simple counter-clockwise one: itself where it is convex, else its
+/// triangles.
+std::vector<Polygon> convexParts(const Polygon& polygon);
+
 /// Area common to two simple counter-clockwise polygons [m2], convex or not. Correct to rounding relative to
 /// the smaller polygon: polygons that only touch give a value near 0, not always 0.
 double overlapArea(const Polygon& a, const Polygon& b);

@@ -7,6 +7,7 @@
 #include "geometry/PolygonShape.h"
 #include "geometry/Turn.h"
 #include "geometry/space/FacePolygon.h"
+#include "io/Ground.h"
 
 #include <fmt/format.h>
 
@@ -60,12 +61,6 @@ std::vector<Vector<2>> placedCorners(const Block<2>& block, const Placement<2>& 
 std::vector<Vector<3>> placedCorners(const Block<3>& block, const Placement<3>& placement)
 {
     return placedShape(block, placement).vertices;
-}
-
-template<int Dim>
-bool isGround(const Assembly<Dim>& assembly, const Block<Dim>& block)
-{
-    return block.support >= 0 && assembly.supports[static_cast<std::size_t>(block.support)].type == "ground";
 }
 
 /// The extent of the ground that is shown, along the horizontal axes [m]: it is wide enough to catch falling

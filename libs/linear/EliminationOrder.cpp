@@ -87,11 +87,7 @@ std::vector<int> nestedDissection(Graph& graph, int bodies)
 std::vector<int> eliminationTree(const Graph& graph, const std::vector<int>& order)
 {
     const int bodies = static_cast<int>(order.size());
-    std::vector<int> place(bodies);
-    for (int i = 0; i < bodies; ++i)
-    {
-        place[order[i]] = i;
-    }
+    const std::vector<int> place = placesIn(order);
     std::vector<int> parent(bodies, -1);
     std::vector<int> ancestor(bodies, -1); // a shortcut towards the root
     for (int i = 0; i < bodies; ++i)
@@ -171,6 +167,25 @@ std::vector<int> eliminationOrder(int bodies, const std::vector<Coupling>& coupl
         result.push_back(order[place]);
     }
     return result;
+}
+
+std::vector<int> placesIn(const std::vector<int>& order)
+{
+    std::vector<int> places(order.size());
+    for (std::size_t place = 0; place < order.size(); ++place)
+    {
+        places[static_cast<std::size_t>(order[place])] = static_cast<int>(place);
+    }
+    return places;
+}
+
+std::vector<Coupling> couplingsByPlace(std::vector<Coupling> couplings, const std::vector<int>& places)
+{
+    for (Coupling& pair : couplings)
+    {
+        pair = {places[static_cast<std::size_t>(pair[0])], places[static_cast<std::size_t>(pair[1])]};
+    }
+    return couplings;
 }
 
 } // namespace drystone

@@ -16,4 +16,10 @@ namespace drystone
 /// and as often as you like
 std::vector<int> eliminationOrder(int bodies, const std::vector<Coupling>& couplings);
 
+/// For each body its place in the order: the inverse of eliminationOrder.
+std::vector<int> placesIn(const std::vector<int>& order);
+
+/// Couplings of bodies as couplings of their places.
+std::vector<Coupling> couplingsByPlace(std::vector<Coupling> couplings, const std::vector<int>& places);
+
 } // namespace drystone

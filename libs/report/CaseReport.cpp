@@ -4,7 +4,7 @@
 
 #include "assembly/AssemblyFile.h"
 #include "assembly/Materials.h"
-#include "contact/AssemblyChecks.h"
+#include "contact/AssemblyStatistics.h"
 #include "contact/ClosedAssembly.h"
 #include "core/Error.h"
 #include "core/Log.h"

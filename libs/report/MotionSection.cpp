@@ -3,7 +3,6 @@
 #include "report/ReportSections.h"
 
 #include "assembly/AssemblyFile.h"
-#include "contact/AssemblyChecks.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/WholeFile.h"

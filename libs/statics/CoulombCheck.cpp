@@ -18,18 +18,6 @@ double relative(double value, double scale)
     return value == 0 ? 0 : value / scale;
 }
 
-/// The largest entry of rows of bodies, moments or rotations times a factor.
-template<int Rows, int Forces>
-double largestOf(const VectorXd& rows, double factor)
-{
-    double largest = 0;
-    for (Eigen::Index row = 0; row < rows.size(); ++row)
-    {
-        largest = std::max(largest, std::abs(rows[row]) * (row % Rows < Forces ? 1 : factor));
-    }
-    return largest;
-}
-
 } // namespace
 
 double CoulombResiduals::worst() const
@@ -46,10 +34,10 @@ CoulombResiduals coulombResiduals(const ConeProgram<Rows, Forces>& program, doub
     using Shear = Eigen::Matrix<double, Forces - 1, 1>;
     const double lever = meanLeverArm(program);
     const double largestLoad =
-        std::max(largestOf<Rows, Forces>(program.load, 1 / lever),
-                 std::abs(alpha) * largestOf<Rows, Forces>(program.liveLoad, 1 / lever));
+        std::max(largestRow<Rows, Forces>(program.load, 1 / lever),
+                 std::abs(alpha) * largestRow<Rows, Forces>(program.liveLoad, 1 / lever));
     const double largestForce = std::max(contactForce.lpNorm<Eigen::Infinity>(), largestLoad);
-    const double largestRate = largestOf<Rows, Forces>(mechanism, lever);
+    const double largestRate = largestRow<Rows, Forces>(mechanism, lever);
 
     CoulombResiduals residuals;
     VectorXd unbalanced = program.load + alpha * program.liveLoad;
@@ -62,7 +50,7 @@ CoulombResiduals coulombResiduals(const ConeProgram<Rows, Forces>& program, doub
         const Eigen::Matrix<double, Forces, 1> force = contactForce.template segment<Forces>(Forces * point);
         const Eigen::Matrix<double, Forces, 1> closing = closingOf(columns, mechanism);
         addForce<Rows, Forces>(columns, -force, unbalanced);
-        const Strength strength = program.hasStrength() ? program.strength[at] : Strength{};
+        const Strength strength = program.strengthOf(at);
         const double normal = force[0];
         const Shear shear = force.template tail<Forces - 1>();
         const double limit = std::max(0.0, strength.cohesion + program.friction[at] * normal);
@@ -92,7 +80,7 @@ CoulombResiduals coulombResiduals(const ConeProgram<Rows, Forces>& program, doub
             residuals.flow = std::max(residuals.flow, relative(-opening, largestRate));
         }
     }
-    residuals.balance = std::max(relative(largestOf<Rows, Forces>(unbalanced, 1 / lever), largestLoad),
+    residuals.balance = std::max(relative(largestRow<Rows, Forces>(unbalanced, 1 / lever), largestLoad),
                                  std::abs(program.liveLoad.dot(mechanism) - liveWork));
     residuals.mismatch =
         relative(std::abs(excess), std::max(dissipated, std::abs(program.load.dot(mechanism))));

@@ -50,8 +50,7 @@ ConeProgram<Rows, Forces> ratesProgram(const ConeProgram<Rows, Forces>& given, c
     using Force = Eigen::Matrix<double, Forces, 1>;
     for (int point = 0; point < given.points(); ++point)
     {
-        const Strength strength =
-            given.hasStrength() ? given.strength[static_cast<std::size_t>(point)] : Strength{};
+        const Strength strength = given.strengthOf(static_cast<std::size_t>(point));
         const Force force = forces.template segment<Forces>(Forces * point);
         const double limit = strength.cohesion + given.friction[static_cast<std::size_t>(point)] * force[0];
         const auto shear = force.template tail<Forces - 1>();

@@ -72,7 +72,8 @@ std::optional<Eigen::VectorXd> otherMechanism(const ConeProgram<Rows, Forces>& g
                                               const ProgramSolver<Rows, Forces>& solve);
 
 /// A mechanism that forces allow by Coulomb's law, L'y = 1: of all those the one whose slips, and openings
-/// where nothing presses, have the least sum. \return none where they allow none
+/// where nothing presses, have the least sum. Judge it: where they allow none it moves points that must not
+/// move. \return none where that program is not solved
 template<int Rows, int Forces>
 std::optional<Eigen::VectorXd> mechanismOf(const ConeProgram<Rows, Forces>& given,
                                            const Eigen::VectorXd& forces,

@@ -30,6 +30,37 @@ double withoutRounding(double multiplier, const ConeProgram<Rows, Forces>& progr
     return std::abs(multiplier) < zero ? 0 : multiplier;
 }
 
+/// Takes a mechanism that the dead load sets going. \param dead program of the dead load alone \return
+/// whether the ray proves that nothing carries it; else only the certificate is changed
+template<int Rows, int Forces>
+bool takeFall(LimitAnalysis& result, const ConeProgram<Rows, Forces>& dead, const Eigen::VectorXd& ray,
+              double tolerance)
+{
+    result.certificate = certifyInfeasible(dead, ray);
+    if (result.certificate.worst() > tolerance)
+    {
+        return false;
+    }
+    result.status = CollapseStatus::unstable;
+    result.mechanism = normalised(ray);
+    return true;
+}
+
+/// Whether forces, where a solver has come by some, carry the dead load alone. 0 <= alpha does not say so:
+/// the live load may be what holds the structure up.
+template<int Rows, int Forces>
+bool isCarried(const ConeProgram<Rows, Forces>& dead, const Eigen::VectorXd& forces, double tolerance)
+{
+    if (forces.size() == 0)
+    {
+        return false;
+    }
+    ConeSolution resting;
+    resting.contactForce = forces;
+    resting.displacement = Eigen::VectorXd::Zero(Rows * dead.bodies);
+    return certifyOptimal(dead, resting).worst() <= tolerance;
+}
+
 } // namespace
 
 template<int Dim>
@@ -70,45 +101,25 @@ LimitAnalysis completedAnalysis(const ConeProgram<Rows, Forces>& program, const 
 
     ConeProgram<Rows, Forces> dead = program;
     dead.liveLoad.resize(0);
-    const auto unstable = [&](const Eigen::VectorXd& ray)
-    {
-        result.certificate = certifyInfeasible(dead, ray);
-        if (result.certificate.worst() > settings.tolerance)
-        {
-            return false;
-        }
-        result.status = CollapseStatus::unstable;
-        result.mechanism = normalised(ray);
-        return true;
-    };
-
     // A multiplier below zero means that the mechanism, on which the live load does unit work, is set going
     // by the dead load: f'y = -alpha > 0. A ray of the whole program is one of the dead load too.
-    const bool answered = solution.status != SolveStatus::notConverged;
-    if ((solution.status == SolveStatus::infeasible || (answered && solution.multiplier < 0))
-        && unstable(solution.displacement))
+    const bool isAnswered = solution.status != SolveStatus::notConverged;
+    const bool isInfeasible = solution.status == SolveStatus::infeasible;
+    if ((isInfeasible || (isAnswered && solution.multiplier < 0))
+        && takeFall(result, dead, solution.displacement, settings.tolerance))
     {
         return result;
     }
-    if (solution.status != SolveStatus::infeasible)
+    // Else forces for the dead load are sought. Where no multiplier was found, that may be why.
+    if (!isInfeasible && !isCarried(dead, solution.forceOfLoadAlone, settings.tolerance))
     {
-        // 0 <= alpha does not say that 0 can be carried: the live load may be what holds the structure up.
-        // Forces that carry the dead load alone prove it, if the solver has come by some; else they are
-        // sought. Where no multiplier was found, that may be why.
-        ConeSolution resting;
-        resting.contactForce = solution.forceOfLoadAlone;
-        resting.displacement = Eigen::VectorXd::Zero(Rows * program.bodies);
-        const bool isCarried = solution.forceOfLoadAlone.size() > 0
-                               && certifyOptimal(dead, resting).worst() <= settings.tolerance;
-        if (!isCarried)
+        const ConeSolution resting = solveInteriorPoint(dead, settings, &kept);
+        addWork(result, resting);
+        const bool falls = resting.status == SolveStatus::infeasible
+                           && takeFall(result, dead, resting.displacement, settings.tolerance);
+        if (falls || (isAnswered && resting.status == SolveStatus::notConverged))
         {
-            resting = solveInteriorPoint(dead, settings, &kept);
-            addWork(result, resting);
-            if ((resting.status == SolveStatus::infeasible && unstable(resting.displacement))
-                || (answered && resting.status == SolveStatus::notConverged))
-            {
-                return result;
-            }
+            return result;
         }
     }
     result.certificate = certify(program, solution);

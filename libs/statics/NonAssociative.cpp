@@ -41,6 +41,83 @@ double safeMultiplier(const ConeProgram<Rows, Forces>& program, const InteriorPo
                                                           : -std::numeric_limits<double>::infinity();
 }
 
+/// The moves of a search, in their order, until there is a pair. \param ofAssociative how the associative
+/// analysis has ended
+template<int Rows, int Forces>
+void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatus ofAssociative)
+{
+    int vain = 0; // paths in a row that have not lowered the multiplier
+    const auto goesOn = [&](int start)
+    {
+        const int further = start - starts;
+        const bool isFound = search.lowest.exists() && !search.isByRefinement;
+        return further < 0
+               || (isFound ? Forces == 3 && vain < vainStarts && further < mostStartsToLower
+                           : further < furtherStarts);
+    };
+    const auto followPaths = [&]
+    {
+        for (int start = 0; goesOn(start); ++start)
+        {
+            const double before = search.lowest.alpha;
+            search.go(start);
+            vain =
+                search.lowest.alpha < (1 - leastLowering) * before || !search.lowest.exists() ? 0 : vain + 1;
+        }
+    };
+    // What wedges by the associative law mostly slides out with a mechanism of which a path knows the forces.
+    search.takesMechanisms = ofAssociative == CollapseStatus::unbounded;
+    followPaths();
+    // Pairs of motion from rest are mostly lower than those that had to be refined.
+    const auto isShort = [&]
+    { return (!search.lowest.exists() || search.isByRefinement) && !search.fall.exists(); };
+    if (isShort())
+    {
+        search.takeAssociativeForces();
+    }
+    if (isShort())
+    {
+        search.takeStepsFromRest();
+    }
+    if (!search.lowest.exists() && !search.fall.exists())
+    {
+        search.takesMechanisms = true;
+        search.wedges = true;
+        followPaths();
+    }
+}
+
+/// The analysis becomes that of a pair.
+void takePair(LimitAnalysis& analysis, const CoulombPair& pair)
+{
+    analysis.status = CollapseStatus::optimal;
+    analysis.alpha = pair.alpha;
+    analysis.contactForce = pair.contactForce;
+    analysis.mechanism = pair.mechanism / pair.mechanism.lpNorm<Eigen::Infinity>();
+    analysis.certificate = {std::max(pair.residuals.balance, pair.residuals.yield), pair.residuals.flow,
+                            pair.residuals.mismatch};
+}
+
+/// The analysis, still that of the associative law, becomes the upper bound that it is without a pair. A load
+/// that needs no friction is feasible by any law. One that is feasible by the associative law, as friction
+/// and dilatancy wedge the blocks, need not be by Coulomb's.
+template<int Rows, int Forces>
+void takeBounds(LimitAnalysis& analysis, const ConeProgram<Rows, Forces>& program,
+                const InteriorPointSettings& solver)
+{
+    const bool isBounded = analysis.status == CollapseStatus::optimal;
+    if (!isBounded && analysis.status != CollapseStatus::unbounded)
+    {
+        return;
+    }
+    analysis.coulomb->safe = safeMultiplier(program, solver, analysis);
+    if (isBounded || analysis.coulomb->safe < std::numeric_limits<double>::infinity())
+    {
+        analysis.status = CollapseStatus::upperBound;
+        analysis.alpha = isBounded ? analysis.alpha : std::numeric_limits<double>::infinity();
+    }
+}
+
 } // namespace
 
 void declare(Options& options, NonAssociativeSettings& settings)
@@ -71,74 +148,20 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
     CollapseSearch<Rows, Forces> search(program, settings, solver, result);
     if (search.findRest())
     {
-        int vain = 0; // paths in a row that have not lowered the multiplier
-        const auto goesOn = [&](int start)
-        {
-            const int further = start - settings.starts;
-            const bool isFound = search.lowest.exists() && !search.isByRefinement;
-            return further < 0
-                   || (isFound ? Forces == 3 && vain < vainStarts && further < mostStartsToLower
-                               : further < furtherStarts);
-        };
-        const auto follow = [&]
-        {
-            for (int start = 0; goesOn(start); ++start)
-            {
-                const double before = search.lowest.alpha;
-                search.go(start);
-                vain = search.lowest.alpha < (1 - leastLowering) * before || !search.lowest.exists()
-                           ? 0
-                           : vain + 1;
-            }
-        };
-        // What wedges by the associative law mostly slides out with a mechanism of which a path knows the
-        // forces.
-        search.takesMechanisms = result.status == CollapseStatus::unbounded;
-        follow();
-        // Pairs of motion from rest are mostly lower than those that had to be refined.
-        const auto isShort = [&]
-        { return (!search.lowest.exists() || search.isByRefinement) && !search.fall.exists(); };
-        if (isShort())
-        {
-            search.takeAssociativeForces();
-        }
-        if (isShort())
-        {
-            search.takeStepsFromRest();
-        }
-        if (!search.lowest.exists() && !search.fall.exists())
-        {
-            search.takesMechanisms = true;
-            search.wedges = true;
-            follow();
-        }
+        searchPairs(search, settings.starts, result.status);
     }
     const CoulombPair& found = search.lowest.exists() ? search.lowest
                                : search.fall.exists() ? search.fall
                                                       : search.below;
     result.coulomb = search.range;
-    if (!found.exists())
+    if (found.exists())
     {
-        // A load that needs no friction is feasible by any law. One that is feasible by the associative law,
-        // as friction and dilatancy wedge the blocks, need not be by Coulomb's.
-        const bool isBounded = result.status == CollapseStatus::optimal;
-        if (isBounded || result.status == CollapseStatus::unbounded)
-        {
-            result.coulomb->safe = safeMultiplier(program, solver, result);
-            if (isBounded || result.coulomb->safe < std::numeric_limits<double>::infinity())
-            {
-                result.status = CollapseStatus::upperBound;
-                result.alpha = isBounded ? result.alpha : std::numeric_limits<double>::infinity();
-            }
-        }
-        return result;
+        takePair(result, found);
     }
-    result.status = CollapseStatus::optimal;
-    result.alpha = found.alpha;
-    result.contactForce = found.contactForce;
-    result.mechanism = found.mechanism / found.mechanism.template lpNorm<Eigen::Infinity>();
-    result.certificate = {std::max(found.residuals.balance, found.residuals.yield), found.residuals.flow,
-                          found.residuals.mismatch};
+    else
+    {
+        takeBounds(result, program, solver);
+    }
     return result;
 }
 

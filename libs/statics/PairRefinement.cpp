@@ -63,7 +63,7 @@ public:
         {
             const auto at = static_cast<std::size_t>(point);
             const auto force = pair.contactForce.template segment<Forces>(Forces * point);
-            const double tension = given.hasStrength() ? given.strength[at].tension : 0;
+            const double tension = given.strengthOf(at).tension;
             const double slip = closing.template segment<Forces - 1>(Forces * point + 1).norm();
             Role& role = roles[at];
             role.presses = force[0] + tension > pressesFrom * forceUnit;
@@ -248,7 +248,7 @@ private:
     {
         const auto at = static_cast<std::size_t>(point);
         const double friction = given.friction[at];
-        const double cohesion = given.hasStrength() ? given.strength[at].cohesion : 0;
+        const double cohesion = given.strengthOf(at).cohesion;
         const Shear slip = closing.template segment<Forces - 1>(Forces * point + 1);
         const Shear direction = slip / slip.norm();
         const double limit = (cohesion + friction * now.contactForce[Forces * point]) / forceUnit;

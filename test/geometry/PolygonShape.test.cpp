@@ -89,6 +89,28 @@ TEST(PolygonShape, TrianglesOfRandomStarsMakeUpTheirArea)
     }
 }
 
+TEST(PolygonShape, ConvexPartsMakeUpTheWhole)
+{
+    const Polygon square = rectangle(0, 0, 2, 2);
+    EXPECT_EQ(convexParts(square), std::vector<Polygon>{square});
+    std::mt19937 random(5);
+    std::vector<Polygon> outlines{letterL};
+    for (int i = 0; i < 20; ++i)
+    {
+        outlines.push_back(randomStar(random, 12));
+    }
+    for (const Polygon& outline : outlines)
+    {
+        double area = 0;
+        for (const Polygon& part : convexParts(outline))
+        {
+            EXPECT_TRUE(isConvex(part));
+            area += areaProperties(part).area;
+        }
+        EXPECT_NEAR(area, areaProperties(outline).area, 1e-12);
+    }
+}
+
 TEST(PolygonShape, BlocksThatTouchOverlapByNothing)
 {
     std::mt19937 random(3);

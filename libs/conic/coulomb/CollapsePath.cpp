@@ -2,9 +2,11 @@
 /// From one point's exit to the next; in space steps are corrected at once, and taken back if too long.
 #include "conic/coulomb/CollapsePath.h"
 
-#include "conic/coulomb/CollapseSystem.h"
+#include "conic/coulomb/CollapseState.h"
 
-#include <random>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace drystone
@@ -16,19 +18,12 @@ using Eigen::VectorXd;
 
 /// In space a step is corrected at once; in the plane, where nothing but rounding adds up, sometimes.
 constexpr int piecesToCorrection = 8;
-constexpr int mostCorrections = 4;
-constexpr double balanced = 1e-14;        ///< relative to the largest load
-constexpr double largestImbalance = 1e-5; ///< likewise: the path is lost
 constexpr double shortestStep = 1e-9;
 
-/// In space a step may take points beyond their piece of the law by so much of the largest load.
-constexpr double beyondLaw = 1e-9;
-
 /// A direction is refined, for what the regularisation and missing pivots have changed, until the residual is
-/// so small a share of its largest entry, at the end of the path smaller. What is larger than `accepted`
-/// after that is wrong.
+/// sufficiently small relative to its largest entry, at the end of the path below `refined`. What is larger
+/// than `accepted` after that is wrong.
 constexpr int mostRefinementsOfCollapse = 8;
-constexpr double sufficient = 1e-12;
 constexpr double refined = 1e-14;
 constexpr double accepted = 1e-9;
 
@@ -45,10 +40,6 @@ constexpr double noWork = 1e-10;
 /// A mechanism moves under a load that does not grow: by no more than this for displacements of one.
 constexpr double noGrowth = 1e-8;
 
-/// A slip may turn by this angle in one step, and more where its force is a small share of the largest load.
-constexpr double largestTurn = 0.2;
-constexpr double smallForce = 0.05;
-
 /// In space displacements grow by no more than this factor in one step.
 constexpr double largestGrowth = 10;
 
@@ -57,28 +48,22 @@ class CollapsePath
 {
 public:
     using Piece = CollapsePiece<Forces>;
-    using Force = typename Piece::Force;
+    using State = CollapseState<Rows, Forces>;
 
     CollapsePath(const ConeProgram<Rows, Forces>& program, const VectorXd& contactForce, double multiplier,
-                 const CollapsePathSettings& settings);
+                 const CollapsePathSettings& settings)
+        : given(program),
+          now(program, contactForce, multiplier, settings),
+          elasticReach(endOfElasticity * (1 + now.stretch.template lpNorm<Eigen::Infinity>()))
+    {
+    }
 
     PathEnd follow(int mostPieces, const std::function<void(int, double)>& observe);
     /// Another psi from now on, with the same forces and slips.
-    void changeDilatancy(double dilatancy);
+    void changeDilatancy(double dilatancy) { now.changeDilatancy(dilatancy); }
     CollapsePair pair(PathEnd end) const;
 
 private:
-    Force at(int point) const { return stretch.template segment<Forces>(Forces * point); }
-    Force rateAt(int point) const { return stretchRate.template segment<Forces>(Forces * point); }
-    int count() const { return static_cast<int>(states.size()); }
-
-    VectorXd contactForces() const;
-    VectorXd stretched(VectorXd closing) const;
-    void update(int point)
-    {
-        scaled.change(point,
-                      stiffnesses[point] * states[static_cast<std::size_t>(point)].derivative(at(point)));
-    }
     /// What one call of `follow` knows between two pieces of the path.
     struct Walk
     {
@@ -92,27 +77,20 @@ private:
         double lastGone = 0;
         double lastAlpha = 0;
         VectorXd lastStretch = {};
-        std::vector<Piece> lastStates = {};
+        std::vector<Piece> lastPieces = {};
     };
 
     bool push();
-    bool correct();
     bool goBack(Walk& walk);
     void chooseSense(const Walk& walk, const VectorXd& before);
     PathEnd endOfPath();
     void take(Walk& walk, double distance, const typename Piece::Exit& first, int leaving);
     double refineDirection(double enough);
     void orient(double onwards);
-    typename Piece::Exit firstExit(double ignored, int& leaving) const;
-    double turningDistance() const;
     double stepLimit(double gone) const;
 
     const ConeProgram<Rows, Forces>& given;
-    CollapseSystem<Rows, Forces> scaled;
-    VectorXd stiffnesses; ///< of each point
-    std::vector<Piece> states;
-    VectorXd stretch;
-    double alphaNow = 0;
+    State now;
     double elasticReach;  ///< displacements beyond which elasticity is negligible
     VectorXd pushed;      ///< p, K p = L
     VectorXd direction;   ///< dv/ds, largest entry 1
@@ -121,102 +99,16 @@ private:
     int pieceCount = 0;
 };
 
-template<int Rows, int Forces>
-CollapsePath<Rows, Forces>::CollapsePath(const ConeProgram<Rows, Forces>& program,
-                                         const VectorXd& contactForce, double multiplier,
-                                         const CollapsePathSettings& settings)
-    : given(program),
-      scaled(program),
-      stretch(contactForce / scaled.force),
-      alphaNow(multiplier * scaled.live / scaled.force),
-      elasticReach(endOfElasticity * (1 + stretch.template lpNorm<Eigen::Infinity>()))
-{
-    std::mt19937 random(settings.seed);
-    stiffnesses.resize(program.points());
-    for (int point = 0; point < program.points(); ++point)
-    {
-        const double uniform = static_cast<double>(random()) / 4294967296.0;
-        stiffnesses[point] = std::exp(settings.stiffnessSpread * (2 * uniform - 1));
-        Piece piece;
-        piece.friction = program.friction[static_cast<std::size_t>(point)];
-        piece.dilatancy = std::min(settings.dilatancy, piece.friction);
-        if (program.hasStrength())
-        {
-            piece.strength = program.strength[static_cast<std::size_t>(point)];
-            piece.strength.cohesion /= scaled.force;
-            piece.strength.tension /= scaled.force;
-            piece.strength.crushing /= scaled.force;
-        }
-        piece.find(at(point));
-        states.push_back(piece);
-        update(point);
-    }
-}
-
-template<int Rows, int Forces>
-VectorXd CollapsePath<Rows, Forces>::contactForces() const
-{
-    VectorXd forces(stretch.size());
-    for (int point = 0; point < count(); ++point)
-    {
-        forces.template segment<Forces>(Forces * point) =
-            states[static_cast<std::size_t>(point)].force(at(point));
-    }
-    return forces;
-}
-
-/// k times a closing
-template<int Rows, int Forces>
-VectorXd CollapsePath<Rows, Forces>::stretched(VectorXd closing) const
-{
-    for (int point = 0; point < count(); ++point)
-    {
-        closing.template segment<Forces>(Forces * point) *= stiffnesses[point];
-    }
-    return closing;
-}
-
-/// Steps of Newton's method back to the path, across its direction. \return whether they lead there
-template<int Rows, int Forces>
-bool CollapsePath<Rows, Forces>::correct()
-{
-    const auto imbalance = [&]() -> VectorXd
-    { return scaled.load + alphaNow * scaled.liveLoad - scaled.columnsTimes(contactForces()); };
-    VectorXd residual = imbalance();
-    double before = residual.lpNorm<Eigen::Infinity>();
-    for (int round = 0; round < mostCorrections && before > balanced; ++round)
-    {
-        const VectorXd moved = scaled.solve(residual);
-        const double share = -pushed.dot(moved) / pushed.squaredNorm();
-        const VectorXd from = stretch;
-        stretch += stretched(scaled.columnsTransposedTimes(moved + share * pushed));
-        alphaNow += share;
-        residual = imbalance();
-        const double after = residual.lpNorm<Eigen::Infinity>();
-        if (!(after < before))
-        {
-            stretch = from;
-            alphaNow -= share;
-            break;
-        }
-        before = after;
-        if (before < sufficient)
-        {
-            break;
-        }
-    }
-    return before < largestImbalance;
-}
-
 /// K v' = alpha' L \return the residual that is left
 template<int Rows, int Forces>
 double CollapsePath<Rows, Forces>::refineDirection(double enough)
 {
     double before = std::numeric_limits<double>::infinity();
-    VectorXd closing = scaled.columnsTransposedTimes(direction);
+    VectorXd closing = now.system.columnsTransposedTimes(direction);
     for (int round = 0; round < mostRefinementsOfCollapse; ++round)
     {
-        const VectorXd residual = alphaRate * scaled.liveLoad - scaled.columnsTimes(scaled.forcesOf(closing));
+        const VectorXd residual =
+            alphaRate * now.system.liveLoad - now.system.columnsTimes(now.system.forcesOf(closing));
         const double error = residual.lpNorm<Eigen::Infinity>();
         if (!(error < 0.5 * before) || error < enough)
         {
@@ -224,13 +116,13 @@ double CollapsePath<Rows, Forces>::refineDirection(double enough)
             break;
         }
         before = error;
-        const VectorXd moved = scaled.solve(residual);
+        const VectorXd moved = now.system.solve(residual);
         const double share = -pushed.dot(moved) / pushed.squaredNorm();
         direction += moved + share * pushed;
         alphaRate += share;
-        closing = scaled.columnsTransposedTimes(direction);
+        closing = now.system.columnsTransposedTimes(direction);
     }
-    stretchRate = stretched(std::move(closing));
+    stretchRate = now.stretched(std::move(closing));
     return before;
 }
 
@@ -245,49 +137,6 @@ void CollapsePath<Rows, Forces>::orient(double onwards)
     }
 }
 
-/// The first point to leave its piece of the law.
-template<int Rows, int Forces>
-typename CollapsePath<Rows, Forces>::Piece::Exit CollapsePath<Rows, Forces>::firstExit(double ignored,
-                                                                                       int& leaving) const
-{
-    typename Piece::Exit first;
-    for (int point = 0; point < count(); ++point)
-    {
-        const typename Piece::Exit exit =
-            states[static_cast<std::size_t>(point)].exit(at(point), rateAt(point), ignored);
-        if (exit.distance < first.distance)
-        {
-            first = exit;
-            leaving = point;
-        }
-    }
-    return first;
-}
-
-/// How far until the slip of a point has turned by as much as a step may; no limit in the plane.
-template<int Rows, int Forces>
-double CollapsePath<Rows, Forces>::turningDistance() const
-{
-    double distance = std::numeric_limits<double>::infinity();
-    if constexpr (Forces == 3)
-    {
-        for (int point = 0; point < count(); ++point)
-        {
-            const Piece& piece = states[static_cast<std::size_t>(point)];
-            const Force w = at(point);
-            const Force rate = rateAt(point);
-            const double across = std::abs(w[1] * rate[2] - w[2] * rate[1]);
-            if (piece.isSliding && across > 0 && (!piece.isFree() || piece.dilatancy > 0))
-            {
-                const double most = piece.slidingLimit(w);
-                const double angle = largestTurn * std::max(1.0, most > 0 ? smallForce / most : 1.0);
-                distance = std::min(distance, angle * w.template tail<2>().squaredNorm() / across);
-            }
-        }
-    }
-    return distance;
-}
-
 /// In space the final direction is approached as displacements grow: none is final before they have.
 template<int Rows, int Forces>
 double CollapsePath<Rows, Forces>::stepLimit(double gone) const
@@ -296,34 +145,15 @@ double CollapsePath<Rows, Forces>::stepLimit(double gone) const
                        : largestGrowth * (gone + elasticReach / endOfElasticity);
 }
 
-/// w = c + lambda (-psi, d) of the points that press and slide
-template<int Rows, int Forces>
-void CollapsePath<Rows, Forces>::changeDilatancy(double dilatancy)
-{
-    for (int point = 0; point < count(); ++point)
-    {
-        Piece& piece = states[static_cast<std::size_t>(point)];
-        const Force before = at(point);
-        const Force force = piece.force(before);
-        piece.dilatancy = std::min(dilatancy, piece.friction);
-        if (piece.isSliding && piece.normal == Piece::Normal::presses)
-        {
-            const double beyond = Piece::shearOf(before) - Piece::shearOf(force);
-            stretch[Forces * point] = force[0] - piece.dilatancy * beyond;
-        }
-        update(point);
-    }
-}
-
 /// p of the piece in hand. \return whether there is one
 template<int Rows, int Forces>
 bool CollapsePath<Rows, Forces>::push()
 {
-    if (!scaled.factorise())
+    if (!now.system.factorise())
     {
         return false;
     }
-    pushed = scaled.solve(scaled.liveLoad);
+    pushed = now.system.solve(now.system.liveLoad);
     const double size = pushed.template lpNorm<Eigen::Infinity>();
     return size > 0 && std::isfinite(size);
 }
@@ -340,12 +170,12 @@ bool CollapsePath<Rows, Forces>::goBack(Walk& walk)
     walk.longest = 0.25 * walk.lastDistance;
     walk.gone = walk.lastGone;
     walk.boundary = Boundary::none;
-    stretch = walk.lastStretch;
-    alphaNow = walk.lastAlpha;
-    states = walk.lastStates;
-    for (int point = 0; point < count(); ++point)
+    now.stretch = walk.lastStretch;
+    now.multiplier = walk.lastAlpha;
+    now.pieces = walk.lastPieces;
+    for (int point = 0; point < now.count(); ++point)
     {
-        update(point);
+        now.update(point);
     }
     return true;
 }
@@ -356,7 +186,7 @@ void CollapsePath<Rows, Forces>::chooseSense(const Walk& walk, const VectorXd& b
 {
     if (pieceCount == walk.begin)
     {
-        orient(scaled.liveLoad.dot(direction));
+        orient(now.system.liveLoad.dot(direction));
     }
     else if (walk.boundary == Boundary::none || walk.boundary == Boundary::turning)
     {
@@ -364,8 +194,8 @@ void CollapsePath<Rows, Forces>::chooseSense(const Walk& walk, const VectorXd& b
     }
     else
     {
-        orient(states[static_cast<std::size_t>(walk.last)].rateWithin(walk.boundary, at(walk.last),
-                                                                      rateAt(walk.last)));
+        orient(now.pieces[static_cast<std::size_t>(walk.last)].rateWithin(
+            walk.boundary, now.at(walk.last), State::partOf(stretchRate, walk.last)));
     }
 }
 
@@ -373,12 +203,12 @@ void CollapsePath<Rows, Forces>::chooseSense(const Walk& walk, const VectorXd& b
 template<int Rows, int Forces>
 PathEnd CollapsePath<Rows, Forces>::endOfPath()
 {
-    correct();
+    now.correct(pushed);
     if (alphaRate > noGrowth)
     {
         return PathEnd::unfinished;
     }
-    const double work = scaled.liveLoad.dot(direction);
+    const double work = now.system.liveLoad.dot(direction);
     return work > noWork ? PathEnd::collapse : work > -noWork ? PathEnd::fall : PathEnd::reversed;
 }
 
@@ -391,33 +221,23 @@ void CollapsePath<Rows, Forces>::take(Walk& walk, double distance, const typenam
     if constexpr (Forces == 3)
     {
         walk.lastDistance = distance;
-        walk.lastAlpha = alphaNow;
+        walk.lastAlpha = now.multiplier;
         walk.lastGone = walk.gone;
-        walk.lastStretch = stretch;
-        walk.lastStates = states;
+        walk.lastStretch = now.stretch;
+        walk.lastPieces = now.pieces;
         walk.longest *= 2;
     }
     walk.gone += distance;
-    stretch += distance * stretchRate;
-    alphaNow += distance * alphaRate;
+    now.stretch += distance * stretchRate;
+    now.multiplier += distance * alphaRate;
     walk.boundary = distance < first.distance ? Boundary::none : first.boundary;
     if (walk.boundary != Boundary::none)
     {
         walk.last = leaving;
-        states[static_cast<std::size_t>(leaving)].cross(walk.boundary);
-        update(leaving);
+        now.pieces[static_cast<std::size_t>(leaving)].cross(walk.boundary);
+        now.update(leaving);
     }
-    if constexpr (Forces == 3)
-    {
-        for (int point = 0; point < count(); ++point)
-        {
-            Piece& piece = states[static_cast<std::size_t>(point)];
-            if (piece.isSliding || piece.returnToLaw(at(point), beyondLaw))
-            {
-                update(point);
-            }
-        }
-    }
+    now.returnToLaw();
 }
 
 template<int Rows, int Forces>
@@ -430,7 +250,7 @@ PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces, const std::function<v
         {
             return PathEnd::unfinished;
         }
-        if ((Forces == 3 || pieceCount % piecesToCorrection == 0) && !correct())
+        if ((Forces == 3 || pieceCount % piecesToCorrection == 0) && !now.correct(pushed))
         {
             if (!goBack(walk))
             {
@@ -442,14 +262,16 @@ PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces, const std::function<v
         const double size = pushed.template lpNorm<Eigen::Infinity>();
         direction = pushed / size;
         alphaRate = 1 / size;
-        if (!(refineDirection(sufficient) < accepted))
+        if (!(refineDirection(State::sufficientBalance) < accepted))
         {
             return PathEnd::unfinished;
         }
         chooseSense(walk, before);
         int leaving = -1;
-        typename Piece::Exit first = firstExit(still * stretchRate.lpNorm<Eigen::Infinity>(), leaving);
-        double distance = std::min({first.distance, turningDistance(), stepLimit(walk.gone), walk.longest});
+        typename Piece::Exit first =
+            now.firstExit(stretchRate, still * stretchRate.lpNorm<Eigen::Infinity>(), leaving);
+        double distance =
+            std::min({first.distance, now.turningDistance(stretchRate), stepLimit(walk.gone), walk.longest});
         if (walk.gone + distance > elasticReach)
         {
             if (!(refineDirection(refined) < accepted))
@@ -457,8 +279,8 @@ PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces, const std::function<v
                 return PathEnd::unfinished;
             }
             chooseSense(walk, before);
-            first = firstExit(stillRefined * stretchRate.lpNorm<Eigen::Infinity>(), leaving);
-            distance = std::min({first.distance, turningDistance(), stepLimit(walk.gone)});
+            first = now.firstExit(stretchRate, stillRefined * stretchRate.lpNorm<Eigen::Infinity>(), leaving);
+            distance = std::min({first.distance, now.turningDistance(stretchRate), stepLimit(walk.gone)});
             if (walk.gone + distance > elasticReach)
             {
                 return endOfPath();
@@ -467,7 +289,7 @@ PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces, const std::function<v
         take(walk, distance, first, leaving);
         if (observe)
         {
-            observe(pieceCount, alphaNow * scaled.force / scaled.live);
+            observe(pieceCount, now.multiplier * now.system.force / now.system.live);
         }
     }
     return PathEnd::unfinished;
@@ -478,21 +300,21 @@ CollapsePair CollapsePath<Rows, Forces>::pair(PathEnd end) const
 {
     CollapsePair result;
     result.end = end;
-    result.multiplier = alphaNow * scaled.force / scaled.live;
-    result.contactForce = scaled.force * contactForces();
+    result.multiplier = now.multiplier * now.system.force / now.system.live;
+    result.contactForce = now.system.force * now.contactForces();
     if (direction.size() == 0) // not even the first piece was found
     {
         result.mechanism = VectorXd::Zero(given.load.size());
     }
     else
     {
-        result.mechanism = scaled.scaledRows(direction);
+        result.mechanism = now.system.scaledRows(direction);
         result.mechanism /= end == PathEnd::collapse ? given.liveLoad.dot(result.mechanism)
                                                      : result.mechanism.template lpNorm<Eigen::Infinity>();
     }
     result.pieces = pieceCount;
-    result.factorisations = scaled.factorisations;
-    result.solves = scaled.solves;
+    result.factorisations = now.system.factorisations;
+    result.solves = now.system.solves;
     return result;
 }
 

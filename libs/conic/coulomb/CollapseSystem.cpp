@@ -41,17 +41,8 @@ CollapseSystem<Rows, Forces>::CollapseSystem(const ConeProgram<Rows, Forces>& pr
             couplings.push_back({column.first, column.second});
         }
     }
-    const std::vector<int> order = eliminationOrder(bodyCount, couplings);
-    positions.resize(order.size());
-    for (int place = 0; place < bodyCount; ++place)
-    {
-        positions[order[place]] = place;
-    }
-    for (Coupling& pair : couplings)
-    {
-        pair = {positions[pair[0]], positions[pair[1]]};
-    }
-    patternOfK = makeBlockPattern(bodyCount, couplings);
+    positions = placesIn(eliminationOrder(bodyCount, couplings));
+    patternOfK = makeBlockPattern(bodyCount, couplingsByPlace(couplings, positions));
     for (const ConeColumns<Rows, Forces>& column : pointColumns)
     {
         slots.push_back(column.first >= 0 && column.second >= 0

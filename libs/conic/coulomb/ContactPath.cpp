@@ -2,22 +2,18 @@
 /// Walks by changes of rank 1, polishes the end by Newton's steps, and goes on from it if not right.
 #include "conic/coulomb/ContactPath.h"
 
+#include "conic/coulomb/PathStart.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace drystone
 {
 namespace
 {
-
-/// Forces below this share of the largest are none, and a shear nearer than this to its limit is at it.
-constexpr double negligibleForce = 1e-9;
-
-/// How far inside its piece a point begins whose force does not say, as a share of the largest force; points
-/// differ in it, so that they do not change their states at one instant.
-constexpr double margin = 1e-6;
 
 /// Ends of a path at which it goes on from their pieces, at most: nearly all are right then. In space as many
 /// as Newton's method may take steps.
@@ -77,91 +73,11 @@ ContactPath<Rows, Forces>::ContactPath(const Program& program, const ConeSolutio
     laws = slidingLaws(program, settings.sliding);
     enough = settings.tolerance * system.scaledRows(program.load).template lpNorm<Eigen::Infinity>();
     x = VectorXd::Zero(program.load.size());
-    gap = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(Forces * program.points()))
-          - applyTransposed(program, start);
-    begin(startAt.contactForce);
-}
-
-/// States and w0 of forces: of what they leave open, such as how far an open point is from closing, as near
-/// as may be to k (A'y - g).
-template<int Rows, int Forces>
-void ContactPath<Rows, Forces>::begin(const VectorXd& startForce)
-{
-    using State = PointState<Forces>;
-    using Shear = Eigen::Matrix<double, Forces - 1, 1>;
-    w = -settings.stiffness * gap;
-    states.resize(laws.size());
-    const double largest = startForce.size() > 0 ? startForce.template lpNorm<Eigen::Infinity>() : 0;
-    const double least = negligibleForce * largest;
-    for (std::size_t point = 0; point < laws.size(); ++point)
-    {
-        const auto row = Forces * static_cast<Eigen::Index>(point);
-        const SlidingLaw& law = laws[point];
-        auto trial = w.template segment<Forces>(row);
-        auto trialShear = trial.template tail<Forces - 1>();
-        const double normal = startForce[row];
-        const Shear shear = startForce.template segment<Forces - 1>(row + 1);
-        // Golden sections spread evenly however many there are.
-        const double part = std::fmod(0.6180339887498949 * static_cast<double>(point), 1.0);
-        const double inside = margin * (1 + part) * std::max(largest, std::numeric_limits<double>::min());
-        State& state = states[point];
-        const double held = std::max(normal, -law.tension);
-        const double limit = law.cohesion + law.mu * held;
-        state.normal = normal > -law.tension + least ? State::Normal::presses : State::Normal::open;
-        state.shear = shear.norm() < (1 - negligibleForce) * limit - least ? State::Shear::sticks
-                                                                           : State::Shear::slides;
-        state.direction = directionOf<Forces>(shear.isZero(0) ? Shear(trialShear) : shear);
-        if (law.sliding == Sliding::associative)
-        {
-            if (!state.presses())
-            {
-                const double beyond = trial[0] + law.mu * trialShear.norm();
-                trial[0] -= beyond > -inside ? beyond + inside : 0;
-            }
-            else if (state.sticks())
-            {
-                trial << normal, shear;
-            }
-            else
-            {
-                // w = c + a (-mu, e) with a > 0 has this c for its nearest point of the cone.
-                Force outwards, onEdge;
-                outwards << -law.mu, state.direction;
-                onEdge << normal, state.direction * (law.mu * normal);
-                const double natural = outwards.dot(trial) / outwards.squaredNorm();
-                trial = onEdge + std::max(natural, inside) * outwards;
-            }
-            continue;
-        }
-        trial[0] = state.presses() ? normal : std::min(trial[0], -law.tension - inside);
-        if (state.sticks())
-        {
-            trialShear = shear;
-        }
-        else if (limit > least || state.presses())
-        {
-            trialShear = state.direction * std::max(limit + inside, state.direction.dot(trialShear));
-        }
-        else
-        {
-            state.direction = directionOf<Forces>(trialShear);
-        }
-        turnTangent(point);
-    }
+    gap = gapAfter(program, start);
+    PathStart<Forces> first = pathStart<Forces>(laws, startAt.contactForce, -settings.stiffness * gap);
+    w = std::move(first.w);
+    states = std::move(first.states);
     findForces();
-}
-
-/// The tangent of the law where a point slides, at w.
-template<int Rows, int Forces>
-void ContactPath<Rows, Forces>::turnTangent(std::size_t point)
-{
-    if (Forces == 2 || states[point].sticks() || laws[point].sliding == Sliding::associative)
-    {
-        return;
-    }
-    const Force trial = trialOf(point);
-    states[point].direction = directionOf<Forces>(trial.template tail<Forces - 1>());
-    states[point].turning = shareAcross<Forces>(laws[point], states[point], trial);
 }
 
 template<int Rows, int Forces>
@@ -277,67 +193,6 @@ bool ContactPath<Rows, Forces>::cross(const Exit& exit, VectorXd& direction, Vec
     return changePiece(exit.point, difference * v / v.squaredNorm(), v, derivative, direction, rate);
 }
 
-/// \param rate of w, by t \param sense in which t goes \param farthest that it may go \param last where the
-/// path came in
-template<int Rows, int Forces>
-typename ContactPath<Rows, Forces>::Exit ContactPath<Rows, Forces>::firstExit(const VectorXd& rate,
-                                                                              double sense, double farthest,
-                                                                              const Exit& last) const
-{
-    constexpr int most = 3; // sides of a piece that are plane
-    int found = -1;
-    int foundSide = 0;
-    double length = farthest;
-    for (int point = 0; point < static_cast<int>(laws.size()); ++point)
-    {
-        const Force trial = trialOf(static_cast<std::size_t>(point));
-        const Force change = sense * rate.template segment<Forces>(Forces * point);
-        const PieceSides<Forces>& of = sides[static_cast<std::size_t>(point)];
-        for (int i = 0; i < of.count; ++i)
-        {
-            const PieceSide<Forces>& side = of.side[static_cast<std::size_t>(i)];
-            const double growth = side.normal.dot(change);
-            const double inside = -(side.normal.dot(trial) + side.offset);
-            if (growth > 0 && inside < length * growth
-                && !(point == last.point && side.normal == -last.side.normal))
-            {
-                found = point;
-                foundSide = i;
-                length = std::max(0.0, inside / growth);
-            }
-        }
-        if constexpr (Forces > 2)
-        {
-            const PointState<Forces>& state = states[static_cast<std::size_t>(point)];
-            const ShearLimit limit = shearLimit(laws[static_cast<std::size_t>(point)], state);
-            const bool cameIn = point == last.point && !last.side.normal.template tail<2>().isZero(0);
-            const double toRound = state.sticks() && limit.isThere()
-                                       ? lengthInDisc(limit, trial, change, cameIn)
-                                       : std::numeric_limits<double>::infinity();
-            if (toRound < length)
-            {
-                found = point;
-                foundSide = most;
-                length = toRound;
-            }
-        }
-    }
-    if (found < 0)
-    {
-        return {-1, {}, length};
-    }
-    const auto at = static_cast<std::size_t>(found);
-    if constexpr (Forces > 2)
-    {
-        if (foundSide == most)
-        {
-            const Force on = trialOf(at) + sense * length * rate.template segment<Forces>(Forces * found);
-            return {found, roundSide(shearLimit(laws[at], states[at]), states[at], on), length};
-        }
-    }
-    return {found, sides[at].side[static_cast<std::size_t>(foundSide)], length};
-}
-
 /// From t = 0 to 1. \param residualOfStart r0 \param change of w but for that of y
 template<int Rows, int Forces>
 bool ContactPath<Rows, Forces>::walk(const VectorXd& residualOfStart, const VectorXd& change)
@@ -377,7 +232,7 @@ bool ContactPath<Rows, Forces>::walk(const VectorXd& residualOfStart, const Vect
             sense = beyond > 0 ? 1 : -1;
         }
         const double farthest = sense > 0 ? 1 - t : std::numeric_limits<double>::infinity();
-        const Exit exit = firstExit(rate, sense, farthest, last);
+        const Exit exit = firstExit(laws, states, sides, w, rate, sense, farthest, last);
         if (!std::isfinite(exit.length))
         {
             return false;
@@ -418,7 +273,7 @@ bool ContactPath<Rows, Forces>::followTangents()
 {
     for (std::size_t point = 0; point < laws.size(); ++point)
     {
-        turnTangent(point);
+        turnTangent<Forces>(laws[point], trialOf(point), states[point]);
     }
     return factorise();
 }
@@ -474,8 +329,7 @@ bool ContactPath<Rows, Forces>::follow(const Program& program)
         system.setColumns(program);
     }
     load = system.scaledRows(program.load - applyInertia(program, start));
-    gap = (program.gap.size() > 0 ? program.gap : VectorXd::Zero(Forces * program.points()))
-          - applyTransposed(program, start);
+    gap = gapAfter(program, start);
     // Where points have been far open, or have slid far, w has lost digits, and the piece that the path ends
     // on may not be that of its solution: then the path goes on from the pieces of its end.
     for (int round = 0; round < mostEnds(Forces); ++round)

@@ -3,6 +3,7 @@
 /// a point between open, sticking and sliding: Coulomb's law, or the associative one, from a warm start.
 #pragma once
 
+#include "conic/coulomb/PathExit.h"
 #include "conic/coulomb/PieceMatrix.h"
 
 namespace drystone
@@ -70,21 +71,13 @@ private:
 
     using Derivative = typename PieceMatrix<Rows, Forces>::Derivative;
 
-    /// Where the path leaves its piece.
-    struct Exit
-    {
-        int point = -1; ///< or none
-        PieceSide<Forces> side;
-        double length = 0; ///< in t
-    };
+    using Exit = PathExit<Forces>;
 
-    void begin(const VectorXd& startForce);
     void findForces();
     void findPieces();
     VectorXd residual() const;
     bool factorise();
     bool walk(const VectorXd& residualOfStart, const VectorXd& change);
-    Exit firstExit(const VectorXd& rate, double sense, double farthest, const Exit& last) const;
     Force trialOf(std::size_t point) const
     {
         return w.template segment<Forces>(Forces * static_cast<Eigen::Index>(point));
@@ -94,7 +87,6 @@ private:
     {
         return forceOn<Forces>(laws[point], states[point], trialOf(point));
     }
-    void turnTangent(std::size_t point);
     bool followTangents();
     bool cross(const Exit& exit, VectorXd& direction, VectorXd& rate);
     bool changePiece(int point, const Force& u, const Force& v, const Derivative& derivative,

@@ -15,7 +15,7 @@ std::vector<SlidingLaw> slidingLaws(const ConeProgram<Rows, Forces>& program, Sl
     std::vector<SlidingLaw> laws;
     for (std::size_t point = 0; point < program.friction.size(); ++point)
     {
-        const Strength strength = program.hasStrength() ? program.strength[point] : Strength{};
+        const Strength strength = program.strengthOf(point);
         laws.push_back({sliding, program.friction[point], strength.cohesion, strength.tension});
     }
     return laws;
@@ -33,16 +33,8 @@ ContactSystem<Rows, Forces>::ContactSystem(const ConeProgram<Rows, Forces>& prog
     setColumns(program);
 
     analyse(program, symbolic);
-    position.resize(symbolic.order.size());
-    for (int place = 0; place < program.bodies; ++place)
-    {
-        position[static_cast<std::size_t>(symbolic.order[static_cast<std::size_t>(place)])] = place;
-    }
-    std::vector<Coupling> couplings = symbolic.touching;
-    for (Coupling& pair : couplings)
-    {
-        pair = {position[static_cast<std::size_t>(pair[0])], position[static_cast<std::size_t>(pair[1])]};
-    }
+    position = placesIn(symbolic.order);
+    const std::vector<Coupling> couplings = couplingsByPlace(symbolic.touching, position);
     if (sliding == Sliding::associative)
     {
         std::optional<SchurSystem<Rows>>& kept = symbolic.system<Rows>();

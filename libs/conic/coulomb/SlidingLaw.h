@@ -5,6 +5,7 @@
 
 #include "conic/ConeProgram.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -178,6 +179,20 @@ PointForce<Forces> forceOn(const SlidingLaw& law, const PointState<Forces>& stat
         result.derivative(0, 0) * law.mu * state.direction;
     turn();
     return result;
+}
+
+/// Turns the direction of a point that slides by Coulomb's law in space to that of a trial force: the piece
+/// becomes the law's tangent there.
+template<int Forces>
+void turnTangent(const SlidingLaw& law, const Eigen::Matrix<double, Forces, 1>& trial,
+                 PointState<Forces>& state)
+{
+    if (Forces == 2 || state.sticks() || law.sliding == Sliding::associative)
+    {
+        return;
+    }
+    state.direction = directionOf<Forces>(trial.template tail<Forces - 1>());
+    state.turning = shareAcross<Forces>(law, state, trial);
 }
 
 /// A side of a piece: w is on the piece while normal'w + offset <= 0.

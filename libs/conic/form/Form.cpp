@@ -250,19 +250,11 @@ void setNumbers(Form<Rows>& form, const ConeProgram<Rows, Forces>& program, doub
 }
 
 /// Puts the bodies into the order of elimination.
-template<int Rows, int Forces>
-void placeBodies(Form<Rows>& form, const ConeProgram<Rows, Forces>& program, const SymbolicAnalysis& symbolic)
+template<int Rows>
+void placeBodies(Form<Rows>& form, const SymbolicAnalysis& symbolic)
 {
-    form.couplings = symbolic.touching;
-    form.position.assign(program.bodies, 0);
-    for (int place = 0; place < program.bodies; ++place)
-    {
-        form.position[symbolic.order[place]] = place;
-    }
-    for (Coupling& pair : form.couplings)
-    {
-        pair = {form.position[pair[0]], form.position[pair[1]]};
-    }
+    form.position = placesIn(symbolic.order);
+    form.couplings = couplingsByPlace(symbolic.touching, form.position);
 }
 
 template<int Rows, int Forces>
@@ -347,7 +339,7 @@ Form<Rows> makeForm(const ConeProgram<Rows, Forces>& program, SymbolicAnalysis& 
     form.bodies = program.bodies;
     form.scaling.lever = powerOfTwo(meanLeverArm(program));
     analyse(program, symbolic);
-    placeBodies(form, program, symbolic);
+    placeBodies(form, symbolic);
     reserve(form, program);
     PointCones<Forces> cones;
     for (int point = 0; point < program.points(); ++point)

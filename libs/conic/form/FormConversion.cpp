@@ -133,8 +133,7 @@ Eigen::VectorXd conesOf(const ConeProgram<Rows, Forces>& program, const Form<Row
     for (int point = 0; point < program.points(); ++point)
     {
         const double alone = shearAlone(program, point) / form.scaling.load;
-        const double tension =
-            program.hasStrength() ? program.strength[static_cast<std::size_t>(point)].tension : 0;
+        const double tension = program.strengthOf(static_cast<std::size_t>(point)).tension;
         const double normal = (contactForce[Forces * point] + tension) / form.scaling.load;
         if constexpr (Forces == 2)
         {

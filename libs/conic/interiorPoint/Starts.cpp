@@ -39,6 +39,93 @@ Smoothed smoothed(double difference, double mu)
     return {force, mu / force};
 }
 
+/// The products s z of the cones that a start has, which new ones get on average.
+struct KnownProducts
+{
+    double sum = 0;
+    Eigen::Index count = 0;
+
+    void add(double product)
+    {
+        sum += product;
+        ++count;
+    }
+    double mean() const { return count > 0 ? sum / static_cast<double>(count) : 0; }
+};
+
+bool isKnownRay(const Iterate<double>& at, Eigen::Index ray)
+{
+    return at.s[ray] > 0 && at.z[ray] > 0;
+}
+
+bool isKnownRound(const Iterate<double>& at, Eigen::Index first)
+{
+    return smallerEigenvalue<double>(at.s.segment<3>(first)) > 0
+           && smallerEigenvalue<double>(at.z.segment<3>(first)) > 0;
+}
+
+/// Openings z follow those of the displacements where these are larger.
+void followOpeningOfRays(const ConeRanges& cones, const Eigen::VectorXd& opening, Iterate<double>& at,
+                         KnownProducts& known)
+{
+    for (Eigen::Index ray = 0; ray < cones.rays; ++ray)
+    {
+        if (isKnownRay(at, ray))
+        {
+            if (opening[ray] > partOfOpening * at.z[ray])
+            {
+                at.z[ray] = std::min(opening[ray], largestOpening * at.z[ray]);
+            }
+            known.add(at.s[ray] * at.z[ray]);
+        }
+    }
+}
+
+void followOpeningOfRounds(const ConeRanges& cones, const Eigen::VectorXd& opening, Iterate<double>& at,
+                           KnownProducts& known)
+{
+    for (Eigen::Index round = 0; round < cones.rounds; ++round)
+    {
+        const Eigen::Index first = cones.at(round);
+        if (isKnownRound(at, first))
+        {
+            const ConeVector<double> ofDisplacements = opening.segment<3>(first);
+            const double kept = smallerEigenvalue<double>(at.z.segment<3>(first));
+            if (smallerEigenvalue(ofDisplacements) > partOfOpening * kept)
+            {
+                at.z.segment<3>(first) =
+                    ofDisplacements * std::min(1.0, largestOpening * at.z[first] / ofDisplacements[0]);
+            }
+            known.add(at.s.segment<3>(first).dot(at.z.segment<3>(first)));
+        }
+    }
+}
+
+/// Cones that are new are as open as the displacements say, and have the force for which their product is mu.
+void beginNewCones(const ConeRanges& cones, const Eigen::VectorXd& opening, double mu, Iterate<double>& at)
+{
+    for (Eigen::Index ray = 0; ray < cones.rays; ++ray)
+    {
+        if (!isKnownRay(at, ray))
+        {
+            at.z[ray] = std::max(opening[ray], std::sqrt(mu));
+            at.s[ray] = mu / at.z[ray];
+        }
+    }
+    for (Eigen::Index round = 0; round < cones.rounds; ++round)
+    {
+        const Eigen::Index first = cones.at(round);
+        if (!isKnownRound(at, first))
+        {
+            const ConeVector<double> ofDisplacements = opening.segment<3>(first);
+            at.z.segment<3>(first) =
+                onEigenvalues(ofDisplacements, [mu](double value) { return std::max(value, std::sqrt(mu)); });
+            at.s.segment<3>(first) = onEigenvalues(ofDisplacements, [mu](double value)
+                                                   { return mu / std::max(value, std::sqrt(mu)); });
+        }
+    }
+}
+
 } // namespace
 
 template<int Rows, class Scalar>
@@ -121,67 +208,17 @@ bool startInside(Iterate<double> interior, const Eigen::VectorXd& heading, State
     Eigen::VectorXd opening;
     applyTransposed(state.form, at.y, opening);
     opening = state.gap - opening;
-    double products = 0;
-    Eigen::Index known = 0;
-    for (Eigen::Index ray = 0; ray < cones.rays; ++ray)
-    {
-        if (at.s[ray] > 0 && at.z[ray] > 0)
-        {
-            if (opening[ray] > partOfOpening * at.z[ray])
-            {
-                at.z[ray] = std::min(opening[ray], largestOpening * at.z[ray]);
-            }
-            products += at.s[ray] * at.z[ray];
-            ++known;
-        }
-    }
-    const auto isKnown = [&](Eigen::Index first)
-    {
-        return smallerEigenvalue<double>(at.s.segment<3>(first)) > 0
-               && smallerEigenvalue<double>(at.z.segment<3>(first)) > 0;
-    };
-    for (Eigen::Index round = 0; round < cones.rounds; ++round)
-    {
-        const Eigen::Index first = cones.at(round);
-        if (isKnown(first))
-        {
-            const ConeVector<double> ofDisplacements = opening.segment<3>(first);
-            const double kept = smallerEigenvalue<double>(at.z.segment<3>(first));
-            if (smallerEigenvalue(ofDisplacements) > partOfOpening * kept)
-            {
-                at.z.segment<3>(first) =
-                    ofDisplacements * std::min(1.0, largestOpening * at.z[first] / ofDisplacements[0]);
-            }
-            products += at.s.segment<3>(first).dot(at.z.segment<3>(first));
-            ++known;
-        }
-    }
-    const double mu = known > 0 ? products / static_cast<double>(known) : 0;
-    if (2 * known < cones.degree() || !(mu > 0.01 * complementarityOfInterior)
+
+    KnownProducts known;
+    followOpeningOfRays(cones, opening, at, known);
+    followOpeningOfRounds(cones, opening, at, known);
+    const double mu = known.mean();
+    if (2 * known.count < cones.degree() || !(mu > 0.01 * complementarityOfInterior)
         || !(mu < 100 * complementarityOfInterior))
     {
         return false;
     }
-    for (Eigen::Index ray = 0; ray < cones.rays; ++ray)
-    {
-        if (!(at.s[ray] > 0 && at.z[ray] > 0))
-        {
-            at.z[ray] = std::max(opening[ray], std::sqrt(mu));
-            at.s[ray] = mu / at.z[ray];
-        }
-    }
-    for (Eigen::Index round = 0; round < cones.rounds; ++round)
-    {
-        const Eigen::Index first = cones.at(round);
-        if (!isKnown(first))
-        {
-            const ConeVector<double> ofDisplacements = opening.segment<3>(first);
-            at.z.segment<3>(first) =
-                onEigenvalues(ofDisplacements, [mu](double value) { return std::max(value, std::sqrt(mu)); });
-            at.s.segment<3>(first) = onEigenvalues(ofDisplacements, [mu](double value)
-                                                   { return mu / std::max(value, std::sqrt(mu)); });
-        }
-    }
+    beginNewCones(cones, opening, mu, at);
     return true;
 }
 

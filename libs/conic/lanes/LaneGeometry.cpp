@@ -42,17 +42,8 @@ LaneGeometry::LaneGeometry(const PlaneConeProgram& program, int laneCount)
 {
     SymbolicAnalysis symbolic;
     analyse(program, symbolic);
-    position.assign(static_cast<std::size_t>(bodies), 0);
-    for (int place = 0; place < bodies; ++place)
-    {
-        position[symbolic.order[place]] = place;
-    }
-    std::vector<Coupling> couplings = symbolic.touching;
-    for (Coupling& pair : couplings)
-    {
-        pair = {position[pair[0]], position[pair[1]]};
-    }
-    pattern = makeFactorPattern(makeBlockPattern(bodies, couplings));
+    position = placesIn(symbolic.order);
+    pattern = makeFactorPattern(makeBlockPattern(bodies, couplingsByPlace(symbolic.touching, position)));
     listProducts();
     for (const ConeColumns<3, 2>& columns : contacts)
     {

@@ -6,6 +6,7 @@
 #include "geometry/Rotation.h"
 #include "io/Canvas.h"
 #include "io/ClayColour.h"
+#include "io/Ground.h"
 #include "io/MarkLegend.h"
 #include "io/PicturePage.h"
 #include "io/plane/BuiltOutline.h"
@@ -73,9 +74,7 @@ Area shownArea(const Assembly<2>& assembly, const std::vector<Placement<2>>& pla
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
         const Block<2>& block = assembly.blocks[i];
-        const bool isGround =
-            block.support >= 0 && assembly.supports[static_cast<std::size_t>(block.support)].type == "ground";
-        Area& box = isGround ? fixed : free;
+        Area& box = isGround(assembly, block) ? fixed : free;
         for (const Vector<2>& vertex : block.outline)
         {
             box.extend(vertex);

@@ -3,6 +3,7 @@
 #include "io/space/MarkPainter.h"
 
 #include "geometry/space/Polyhedron.h"
+#include "io/Ground.h"
 #include "io/MarkLegend.h"
 
 #include <Eigen/Geometry>
@@ -75,11 +76,6 @@ void paintMark(Canvas& drawing, const JointMark& mark, const Polyhedron& shape,
 }
 
 } // namespace
-
-bool isGround(const Assembly<3>& assembly, const Block<3>& block)
-{
-    return block.support >= 0 && assembly.supports[static_cast<std::size_t>(block.support)].type == "ground";
-}
 
 MarksToPaint marksToPaint(const Assembly<3>& assembly, const std::vector<JointMark>& marks)
 {

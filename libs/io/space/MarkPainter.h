@@ -12,9 +12,6 @@
 namespace drystone
 {
 
-/// The ground is a plane in pictures, painted before the blocks.
-bool isGround(const Assembly<3>& assembly, const Block<3>& block);
-
 /// Marks that wait for the later one of their two blocks: what hides them is painted after it.
 struct MarksToPaint
 {

@@ -12,6 +12,7 @@
 #include "geometry/Rotation.h"
 #include "io/Canvas.h"
 #include "io/ClayColour.h"
+#include "io/Ground.h"
 #include "io/MarkLegend.h"
 #include "io/PicturePage.h"
 #include "io/space/MarkPainter.h"
