@@ -4,6 +4,7 @@
 #include "assembly/AssemblyOrigin.h"
 #include "assembly/Plausibility.h"
 #include "contact/AlmostJoints.h"
+#include "contact/AssemblyStatistics.h"
 #include "contact/ClosedAssembly.h"
 #include "contact/JointClosure.h"
 #include "contact/space/StatedJointChecks.h"
