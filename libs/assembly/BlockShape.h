@@ -21,6 +21,16 @@ inline const std::vector<Vector<3>>& cornersOf(const Block<3>& block)
     return block.shape.vertices;
 }
 
+/// The corners of a block where it is [m].
+inline std::vector<Vector<2>> placedCorners(const Block<2>& block, const Placement<2>& placement)
+{
+    return placedOutline(block, placement);
+}
+inline std::vector<Vector<3>> placedCorners(const Block<3>& block, const Placement<3>& placement)
+{
+    return placedShape(block, placement).vertices;
+}
+
 /// The smallest box that contains a block as built.
 template<int Dim>
 Box<Dim> boundingBox(const Block<Dim>& block);

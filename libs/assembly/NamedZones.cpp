@@ -5,8 +5,10 @@
 #include "core/Error.h"
 #include "dictionary/DictionaryPattern.h"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
 
 namespace drystone
 {

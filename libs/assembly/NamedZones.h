@@ -6,7 +6,6 @@
 #include "assembly/Assembly.h"
 #include "dictionary/Option.h"
 
-#include <string>
 #include <vector>
 
 namespace drystone

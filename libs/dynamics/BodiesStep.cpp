@@ -3,6 +3,7 @@
 #include "dynamics/BodiesStep.h"
 
 #include "conic/Certificate.h"
+#include "dynamics/TurnedGroups.h"
 
 #include <algorithm>
 

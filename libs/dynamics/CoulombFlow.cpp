@@ -49,8 +49,7 @@ void takeOver(ThetaStep& step, StepProgram<Dim>& program, ConeSolution solution,
     for (int point = 0; point < program.points(); ++point)
     {
         const double mu = program.friction[static_cast<std::size_t>(point)];
-        const Strength strength =
-            program.hasStrength() ? program.strength[static_cast<std::size_t>(point)] : Strength{};
+        const Strength strength = program.strengthOf(static_cast<std::size_t>(point));
         const auto force = solution.contactForce.segment<Dim>(Dim * point);
         auto gap = program.gap.template segment<Dim>(Dim * point);
         const Vector<Dim> open = gap - closing.segment<Dim>(Dim * point);

@@ -4,6 +4,7 @@
 
 #include "dynamics/BodiesStep.h"
 #include "dynamics/HoldingForces.h"
+#include "dynamics/TurnedGroups.h"
 
 #include <algorithm>
 

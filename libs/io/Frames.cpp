@@ -52,17 +52,6 @@ void spread(Field& field, const std::vector<std::size_t>& blockOfCell, std::size
     field.values = std::move(values);
 }
 
-/// The corners of a block where it is.
-std::vector<Vector<2>> placedCorners(const Block<2>& block, const Placement<2>& placement)
-{
-    return placedOutline(block, placement);
-}
-
-std::vector<Vector<3>> placedCorners(const Block<3>& block, const Placement<3>& placement)
-{
-    return placedShape(block, placement).vertices;
-}
-
 /// The extent of the ground that is shown, along the horizontal axes [m]: it is wide enough to catch falling
 /// blocks, and shown whole it would leave little room in the window for the structure. \param placed corners
 /// of the blocks at present

@@ -46,16 +46,6 @@ constexpr std::array<Attempt, 6> attempts{{{1, Overlaps::stay},
                                            {0.25, Overlaps::stay, 1e-6}}};
 constexpr int patience = 500; ///< iterations allowed to an attempt
 
-/// Where the corners of a block are [m].
-std::vector<Vector<2>> cornersAt(const Block<2>& block, const Placement<2>& placement)
-{
-    return placedOutline(block, placement);
-}
-std::vector<Vector<3>> cornersAt(const Block<3>& block, const Placement<3>& placement)
-{
-    return placedShape(block, placement).vertices;
-}
-
 /// What no displacement of a corner exceeds, to first order.
 template<int Dim>
 double boundOf(const std::vector<double>& radius, const std::vector<int>& free, const Eigen::VectorXd& rates)
@@ -164,8 +154,9 @@ PushoverPath<Dim>::PushoverPath(const PushoverScene<Dim>& structure, const Pusho
 {
     for (std::size_t block = 0; block < masses.size(); ++block)
     {
-        paths[block].assign(cornersOf(scene.assembly.blocks[block]).size(), 0);
-        for (const Vector<Dim>& corner : cornersOf(scene.assembly.blocks[block]))
+        const std::vector<Vector<Dim>>& corners = cornersOf(scene.assembly.blocks[block]);
+        paths[block].assign(corners.size(), 0);
+        for (const Vector<Dim>& corner : corners)
         {
             radius[block] = std::max(radius[block], (corner - masses[block].centroid).norm());
         }
@@ -290,8 +281,8 @@ double PushoverPath<Dim>::followCorners(const std::vector<Placement<Dim>>& to)
         {
             continue;
         }
-        const auto before = cornersAt(scene.assembly.blocks[block], placements[block]);
-        const auto after = cornersAt(scene.assembly.blocks[block], to[block]);
+        const auto before = placedCorners(scene.assembly.blocks[block], placements[block]);
+        const auto after = placedCorners(scene.assembly.blocks[block], to[block]);
         for (std::size_t corner = 0; corner < before.size(); ++corner)
         {
             paths[block][corner] += (after[corner] - before[corner]).norm();

@@ -8,6 +8,7 @@
 
 #include "dynamics/EffectCalls.h"
 #include "dynamics/GroupChoice.h"
+#include "dynamics/TurnedGroups.h"
 #include "dynamics/VerifiedStep.h"
 #include "timeSeries/GroundAcceleration.h"
 
