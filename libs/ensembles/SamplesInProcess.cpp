@@ -204,6 +204,14 @@ struct SamplesInProcess::Cases
                 throw NotConverged{"limitAnalysis has no answer"};
             }
         }
+        if (structure.cutShort > 0)
+        {
+            printWarningOnce(
+                "maximumTime has ended the search for collapses by Coulomb's law in a sample before all was "
+                "tried: its multiplier depends on how fast this machine is and what else it does, and is not "
+                "a number where no collapse was found. Raise maximumTime, or remove it.",
+                structure.solutionLocations.of("nonAssociative/maximumTime"));
+        }
         takeFigures(structure, answers);
     }
 

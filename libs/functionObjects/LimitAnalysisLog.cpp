@@ -5,7 +5,7 @@
 #include "conic/MachineText.h"
 #include "contact/JointClosure.h"
 #include "contact/SupportPaths.h"
-#include "core/Log.h"
+#include "core/Error.h"
 #include "effects/EffectList.h"
 #include "functionObjects/LimitAnalysisTables.h"
 #include "functionObjects/LoadEnvelope.h"
@@ -37,6 +37,13 @@ std::string statusText(const LimitAnalysisCase<Dim>& structure, const LimitAnaly
         return structure.movement ? "unbounded (no force moves the support in this direction)"
                                   : "unbounded (no load of this direction makes it collapse)";
     case CollapseStatus::upperBound:
+        if (!std::isfinite(result.alpha) && isCutShort(result))
+        {
+            return "no answer (no collapse by Coulomb's law was found until maximumTime ended the search, "
+                   "and by "
+                   "the associative law, which wedges blocks that slide, there is none: more time may find "
+                   "one)";
+        }
         return std::isfinite(result.alpha) ? "upper bound (no collapse by Coulomb's law was found; forces "
                                              "and mechanism are those of the "
                                              "associative law)"
@@ -97,6 +104,12 @@ void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
                  ? fmt::format(", and at least that of joints without friction, {}", alphaText(range.safe))
                  : "");
     }
+    if (range.cutShortAfter)
+    {
+        info("The search was ended by maximumTime after {:.3g} s, before all was tried: {}",
+             *range.cutShortAfter,
+             range.converged > 0 ? "lower collapses may exist" : "that none was found says little");
+    }
     if (range.fall < range.lowest)
     {
         info("Blocks may fall under the dead load alone from alpha {} on: with other forces at rest, or as "
@@ -109,6 +122,32 @@ void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
             "The multiplier is below zero: some forces at rest let the dead load alone drive this mechanism, "
             "while others carry it.");
     }
+}
+
+/// What maximumTime has ended, and what to do.
+template<int Dim>
+void printCutShort(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results)
+{
+    if (structure.cutShort == 0)
+    {
+        return;
+    }
+    const std::size_t searches = std::max(results.size(), structure.envelope.size());
+    const bool isWithoutPair =
+        std::any_of(results.begin(), results.end(),
+                    [](const LimitAnalysis& result)
+                    { return isCutShort(result) && result.status == CollapseStatus::upperBound; });
+    printWarning(
+        fmt::format("maximumTime has ended {} for collapses by Coulomb's law before all was tried: {}. Raise "
+                    "it, or remove it, to search on.",
+                    searches > 1 ? fmt::format("{} of {} searches", structure.cutShort, searches)
+                                 : "the search",
+                    !isWithoutPair  ? "lower ones than those found may exist"
+                    : searches == 1 ? "none was found until then, and no more is known than what the "
+                                      "associative law says"
+                                    : "where none was found no more is known than what the associative law "
+                                      "says, and elsewhere lower ones may exist"),
+        structure.solutionLocations.of("nonAssociative/maximumTime"));
 }
 
 /// In space, where joints have strengths: by how much their points are on the unsafe side.
@@ -265,20 +304,31 @@ void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
     info("{}\n", machineText());
 }
 
-std::function<void(const CollapseProgress&)> collapseProgressLog()
+std::function<void(const CollapseProgress&)> collapseProgressLog(bool isLimited,
+                                                                 std::function<double()> clock)
 {
-    constexpr double every = 10; // [s]
-    return [last = clockTime()](const CollapseProgress& progress) mutable
+    constexpr double every = 10;  // [s]
+    constexpr double isLong = 30; // likewise
+    const double begin = clock();
+    return [isLimited, clock = std::move(clock), begin, last = begin,
+            hasSaid = false](const CollapseProgress& progress) mutable
     {
-        if (clockTime() - last >= every)
+        if (clock() - last >= every)
         {
-            last = clockTime();
+            last = clock();
             info("Coulomb's law: path {}, {} pieces, at {:.4g} times the live load; {}. ClockTime = {:.0f} s",
                  progress.path, progress.pieces, progress.multiplier,
                  std::isfinite(progress.lowest)
                      ? fmt::format("lowest collapse so far {:.6g}", progress.lowest)
                      : "no collapse met yet",
                  last);
+            if (!isLimited && !hasSaid && last - begin >= isLong)
+            {
+                hasSaid = true;
+                printLine("This may last long. `nonAssociative { maximumTime 600; }` in "
+                          "system/solution/limitAnalysis ends such a search after 600 s, with the lowest "
+                          "collapse met until then.");
+            }
             flushLog();
         }
     };
@@ -336,6 +386,7 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
             "Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",
             certificate.primalResidual, certificate.dualResidual, certificate.dualityGap, result.iterations);
     }
+    printCutShort(structure, results);
     if (!structure.combinations.empty())
     {
         printGoverning(results);

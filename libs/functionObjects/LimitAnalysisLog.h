@@ -2,9 +2,11 @@
 /// What a limit analysis prints: it combines statics with the meaning of loads, which statics does not see.
 #pragma once
 
+#include "core/Log.h"
 #include "statics/LimitAnalysisCase.h"
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 namespace drystone
@@ -17,8 +19,10 @@ void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
                             const std::filesystem::path& caseDirectory);
 
 /// Reports every ten seconds how far a search for collapses by Coulomb's law has come, for
-/// NonAssociativeSettings::observe.
-std::function<void(const CollapseProgress&)> collapseProgressLog();
+/// NonAssociativeSettings::observe, and after half a minute, once, which key would end it. \param isLimited
+/// that key is given \param clock [s]
+std::function<void(const CollapseProgress&)> collapseProgressLog(bool isLimited,
+                                                                 std::function<double()> clock = clockTime);
 
 /// Multiplier, status and certificate. No multiplier is printed for what did not converge.
 template<int Dim>

@@ -64,8 +64,9 @@ std::vector<double> cohesionsOf(const ConeProgram<Rows, Forces>& program)
     return cohesions;
 }
 
-/// The suffix of the file names of each answer: the combination, and `Negative` for the negative end.
-std::vector<std::string> suffixes(const std::vector<LimitAnalysis>& results)
+} // namespace
+
+std::vector<std::string> suffixesOfAnswers(const std::vector<LimitAnalysis>& results)
 {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < results.size(); ++i)
@@ -76,8 +77,6 @@ std::vector<std::string> suffixes(const std::vector<LimitAnalysis>& results)
     }
     return names;
 }
-
-} // namespace
 
 std::filesystem::path limitAnalysisTable(const std::filesystem::path& caseDirectory)
 {
@@ -285,7 +284,7 @@ void writeLimitAnalysisResults(const std::filesystem::path& caseDirectory,
                                const std::vector<LimitAnalysis>& results, double cpuTime,
                                const AnswerPictures& pictures)
 {
-    const std::vector<std::string> names = suffixes(results);
+    const std::vector<std::string> names = suffixesOfAnswers(results);
     reportRemoved(removeEarlierResults(caseDirectory, names));
     for (std::size_t i = 0; i < results.size(); ++i)
     {

@@ -42,6 +42,9 @@ template<int Dim>
 void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory,
                                const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
 
+/// What the names of the files of each answer end in: its combination, and `Negative` for the negative end.
+std::vector<std::string> suffixesOfAnswers(const std::vector<LimitAnalysis>& results);
+
 /// How the pictures of the answers are drawn.
 struct AnswerPictures
 {
@@ -53,7 +56,7 @@ struct AnswerPictures
 /// - postProcessing/limitAnalysis/0/limitAnalysis.dat, a row of figures; alpha is `inf` for unbounded and
 /// `nan` for unstable;
 /// - postProcessing/limitAnalysis/0/coulomb.dat for the non-associative flow rule: the range of collapses
-/// found;
+/// found, with a column `cutShortAfter` where maximumTime has ended the search;
 /// - postProcessing/limitAnalysis/0/mechanism.svg (or .png, .pdf), the mechanism over the structure as built;
 /// - postProcessing/limitAnalysis/0/thrust.dat and, in the plane, thrust.svg: stress resultants and centre of
 /// pressure of each joint that carries a load, the line of thrust;

@@ -126,10 +126,12 @@ std::string alphaText(double alpha)
 std::string coulombText(const CoulombRange& range)
 {
     return fmt::format(
-        "# lowest[-] highest[-] associative[-] starts[-] converged[-] fall[-]\n{:.12g} {:.12g} {:.12g} "
-        "{} {} {:.12g}\n",
-        range.lowest + 0.0, range.highest + 0.0, range.associative + 0.0, range.starts, range.converged,
-        range.fall + 0.0); // adding 0 turns -0 into 0
+        "# lowest[-] highest[-] associative[-] starts[-] converged[-] fall[-]{}\n{:.12g} {:.12g} {:.12g} "
+        "{} {} {:.12g}{}\n",
+        range.cutShortAfter ? " cutShortAfter[s]" : "", range.lowest + 0.0, range.highest + 0.0,
+        range.associative + 0.0, range.starts, range.converged,
+        range.fall + 0.0, // adding 0 turns -0 into 0
+        range.cutShortAfter ? fmt::format(" {:.6g}", *range.cutShortAfter) : "");
 }
 
 template<int Dim>

@@ -30,7 +30,8 @@ std::string thrustText(const std::vector<ContactPoint<3>>& points, const std::ve
 /// A multiplier with six decimals; one that is rounded to zero has no sign.
 std::string alphaText(double alpha);
 
-/// coulomb.dat: the range of collapses found by Coulomb's law.
+/// coulomb.dat: the range of collapses found by Coulomb's law, and the clock after which its search had to
+/// end, where that was before all was tried.
 std::string coulombText(const CoulombRange& range);
 
 /// loadCases.dat, the force of each named load; without any removes the table of an earlier run.

@@ -49,16 +49,42 @@ std::vector<LimitAnalysis> storedAnswers(const fs::path& caseDirectory, const Nu
     return answers;
 }
 
-/// What limitAnalysis has said of its search for collapses by Coulomb's law; none where its log is not kept.
+/// What limitAnalysis has said of what its search for collapses by Coulomb's law has found, and not how it
+/// went on; none where its log is not kept.
 std::vector<std::string> searchInLog(const fs::path& caseDirectory)
 {
     std::vector<std::string> sentences;
     std::istringstream log(contentOfFile(caseDirectory / "log.limitAnalysis"));
     for (std::string line; std::getline(log, line);)
     {
-        if (line.starts_with("Coulomb's law: "))
+        if (line.starts_with("Coulomb's law: ") && !line.starts_with("Coulomb's law: path "))
         {
             sentences.push_back(line + ".");
+        }
+    }
+    return sentences;
+}
+
+/// Says of each search that maximumTime has ended what that means.
+std::vector<std::string> searchesCutShort(const fs::path& caseDirectory,
+                                          const std::vector<LimitAnalysis>& answers)
+{
+    std::vector<std::string> sentences;
+    const std::vector<std::string> suffixes = suffixesOfAnswers(answers);
+    for (std::size_t i = 0; i < answers.size(); ++i)
+    {
+        const NumberTable table = readNumberTable(
+            limitAnalysisTable(caseDirectory).replace_filename("coulomb" + suffixes[i] + ".dat"));
+        const std::optional<std::size_t> column = findColumn(table.names, "cutShortAfter");
+        if (column && !table.columns[*column].empty())
+        {
+            sentences.push_back(fmt::format(
+                "{}The search was ended by maximumTime after {:.3g} s, before all was tried: {}",
+                answers[i].combination.empty() ? "" : "Combination " + answers[i].combination + ": ",
+                table.columns[*column].front(),
+                answers[i].status == CollapseStatus::upperBound
+                    ? "that no collapse was found says little."
+                    : "there may be lower multipliers than the one below."));
         }
     }
     return sentences;
@@ -207,6 +233,10 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory, InputOfResults i
     if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
     {
         for (const std::string& sentence : searchInLog(caseDirectory))
+        {
+            page.paragraph(sentence);
+        }
+        for (const std::string& sentence : searchesCutShort(caseDirectory, answers))
         {
             page.paragraph(sentence);
         }

@@ -2,6 +2,7 @@
 /// Paths from forces moved inwards, pairs refined, and exchanges until the multiplier falls no more.
 #include "statics/CollapseSearch.h"
 
+#include "core/Log.h"
 #include "statics/PairRefinement.h"
 #include "statics/StepFromRest.h"
 
@@ -56,7 +57,8 @@ CollapseSearch<Rows, Forces>::CollapseSearch(const Program& program, const NonAs
       searchSettings(settings),
       solverSettings(solver),
       effort(work),
-      generator(static_cast<std::mt19937::result_type>(settings.seed))
+      generator(static_cast<std::mt19937::result_type>(settings.seed)),
+      begin(clockTime())
 {
     range.lowest = std::numeric_limits<double>::infinity();
     range.highest = -range.lowest;
@@ -77,6 +79,21 @@ bool CollapseSearch<Rows, Forces>::findRest()
     const ConeSolution resting = solveRoughly(dead);
     restingStart.contactForce = resting.contactForce;
     return resting.status == SolveStatus::optimal;
+}
+
+template<int Rows, int Forces>
+bool CollapseSearch<Rows, Forces>::isOver()
+{
+    if (!range.cutShortAfter)
+    {
+        const double taken = clockTime() - begin;
+        if ((searchSettings.maximumTime && taken >= *searchSettings.maximumTime)
+            || (searchSettings.isOver && searchSettings.isOver()))
+        {
+            range.cutShortAfter = taken;
+        }
+    }
+    return range.cutShortAfter.has_value();
 }
 
 template<int Rows, int Forces>
@@ -138,10 +155,14 @@ void CollapseSearch<Rows, Forces>::takeStepsFromRest()
     }
     for (const VectorXd* forces : {&associativePair.contactForce, &restingStart.contactForce})
     {
+        if (isOver())
+        {
+            return;
+        }
         ++range.starts;
         std::optional<CoulombPair> pair = pairFromRest<Rows, Forces>(
             given, associativePair.alpha, *forces, [this](CoulombPair& tried) { return consider(tried); },
-            effort.factorisations);
+            effort.factorisations, [this] { return isOver(); });
         if (pair)
         {
             ++range.converged;
@@ -178,6 +199,7 @@ template<int Rows, int Forces>
 CollapsePair CollapseSearch<Rows, Forces>::path(const Start& start, const CollapsePathSettings& settings)
 {
     CollapsePathSettings observed = settings;
+    observed.isOver = [this] { return isOver(); };
     if (searchSettings.observe)
     {
         observed.observe = [this](int pieces, double multiplier)
@@ -319,7 +341,8 @@ bool CollapseSearch<Rows, Forces>::refine(CoulombPair& pair)
     }
     for (const double slides : slidesFrom)
     {
-        std::optional<CoulombPair> refined = refinedPair<Rows, Forces>(given, pair, slides);
+        std::optional<CoulombPair> refined =
+            refinedPair<Rows, Forces>(given, pair, slides, [this] { return isOver(); });
         if (!refined)
         {
             return false;
@@ -388,7 +411,7 @@ template<int Rows, int Forces>
 void CollapseSearch<Rows, Forces>::descend(CoulombPair pair)
 {
     double highest = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < mostExchanges; ++round)
+    for (int round = 0; round < mostExchanges && !isOver(); ++round)
     {
         std::optional<LeastPair> least = leastPair<Rows, Forces>(given, pair, solver());
         if (!least || !(least->pair.alpha < highest) || !consider(least->pair))

@@ -27,6 +27,9 @@ public:
     /// \return whether there are forces for the dead load to begin with
     bool findRest();
 
+    /// Whether the search has to end, from the first time on that its time is used up or the settings say so.
+    bool isOver();
+
     /// One path and what follows from it.
     void go(int number);
 
@@ -102,6 +105,7 @@ private:
     std::mt19937 generator;
     CoulombPair associativePair; ///< where there is one; of the associative law
     Start restingStart;
+    double begin; ///< on the clock [s]
     CoulombPair latestPair;
 };
 

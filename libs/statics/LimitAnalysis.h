@@ -52,6 +52,9 @@ struct CoulombRange
     double fall = std::numeric_limits<double>::infinity();
     int starts = 0;    ///< tried
     int converged = 0; ///< that led to a collapse within the tolerance
+    /// Clock after which it had to end, before all was tried, so that there may be lower collapses [s]; else
+    /// none.
+    std::optional<double> cutShortAfter = {};
 };
 
 /// Multipliers that a structure carries; the ends may be infinite.
@@ -88,6 +91,12 @@ inline bool hasAnswer(const LimitAnalysis& analysis)
 {
     return analysis.status != CollapseStatus::notConverged
            && (analysis.status != CollapseStatus::upperBound || std::isfinite(analysis.alpha));
+}
+
+/// Whether the search for collapses by Coulomb's law had to end before all was tried.
+inline bool isCutShort(const LimitAnalysis& analysis)
+{
+    return analysis.coulomb && analysis.coulomb->cutShortAfter;
 }
 
 /// How many blocks were simulated where not all were.

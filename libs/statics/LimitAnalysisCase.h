@@ -57,12 +57,14 @@ struct LimitAnalysisCase
     SolverChoice solution;
     EntryLocations solutionLocations; ///< of the entries of system/solution/limitAnalysis, for messages
     NonAssociativeSettings nonAssociative;
-    ChosenEffects effects;                        ///< of system/schemes: whether all blocks are simulated
-    PartUse partUse;                              ///< once solved
-    Multiplier multiplier = Multiplier::positive; ///< which ends of the range are asked for
-    std::optional<SupportMovement<Dim>> movement; ///< instead of a live load
-    std::optional<PushoverSettings> pushover;     ///< the capacity curve is asked for
-    CaseLoads<Dim> loads;                         ///< with combinations those of the first
+    ChosenEffects effects; ///< of system/schemes: whether all blocks are simulated
+    PartUse partUse;       ///< once solved
+    int cutShort =
+        0; ///< searches that maximumTime has ended, those of all positions of a load too, once solved
+    Multiplier multiplier = Multiplier::positive;                  ///< which ends of the range are asked for
+    std::optional<SupportMovement<Dim>> movement;                  ///< instead of a live load
+    std::optional<PushoverSettings> pushover;                      ///< the capacity curve is asked for
+    CaseLoads<Dim> loads;                                          ///< with combinations those of the first
     std::vector<std::pair<std::string, LoadVectors>> combinations; ///< mostly none
     std::vector<PositionResult> envelope; ///< of a moving load, one for each of loads.positions, once solved
 };

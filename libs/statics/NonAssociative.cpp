@@ -57,7 +57,7 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
     };
     const auto followPaths = [&]
     {
-        for (int start = 0; goesOn(start); ++start)
+        for (int start = 0; goesOn(start) && !search.isOver(); ++start)
         {
             const double before = search.lowest.alpha;
             search.go(start);
@@ -71,7 +71,7 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
     // Pairs of motion from rest are mostly lower than those that had to be refined.
     const auto isShort = [&]
     { return (!search.lowest.exists() || search.isByRefinement) && !search.fall.exists(); };
-    if (isShort())
+    if (isShort() && !search.isOver())
     {
         search.takeAssociativeForces();
     }
@@ -133,6 +133,15 @@ void declare(Options& options, NonAssociativeSettings& settings)
     options.optional("tolerance", settings.tolerance, "on the residuals of yield and flow")
         .above(0)
         .atMost(1e-3);
+    options
+        .optional(
+            "maximumTime", settings.maximumTime,
+            "of a search, on the clock: it then ends with the lowest collapse so far, or without one with "
+            "the bound of the associative law; each load combination, place of a moving load and sign of "
+            "the multiplier has a search of its own; absent: any")
+        .unit("s")
+        .above(0)
+        .example("600");
 }
 
 template<int Rows, int Forces>

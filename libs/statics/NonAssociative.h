@@ -7,6 +7,7 @@
 #include "statics/LimitAnalysis.h"
 
 #include <functional>
+#include <optional>
 
 namespace drystone
 {
@@ -26,8 +27,10 @@ struct NonAssociativeSettings
     int starts = 1; ///< paths to collapse; more of them while there is no collapse, and in space while lower
                     ///< ones are found
     int seed = 1;   ///< of the random numbers that they are made from
-    double tolerance = 1e-6; ///< on the residuals of a pair of forces and mechanism
+    double tolerance = 1e-6;                ///< on the residuals of a pair of forces and mechanism
+    std::optional<double> maximumTime = {}; ///< of a search, on the clock [s]; none: any
     std::function<void(const CollapseProgress&)> observe = {}; ///< no key: called after each piece; or empty
+    std::function<bool()> isOver = {}; ///< no key: asked on the way, and the search ends there; or empty
 };
 
 void declare(Options& options, NonAssociativeSettings& settings);
@@ -68,7 +71,8 @@ void declare(Options& options, NonAssociativeSettings& settings);
 /// where motion from rest begins (StepFromRest.h). Where only falls have been met the lowest of them is the
 /// result. Where all pairs are below zero, which says that some forces at rest are not safe, it is the
 /// highest of them. Without any pair the result is `upperBound`: forces, mechanism and certificate of the
-/// associative collapse, which no pair exceeds. What the friction cones cannot carry is `unstable` with
+/// associative collapse, which no pair exceeds. A search whose time is over ends at the next piece of a path,
+/// step or exchange, with what it has met until then. What the friction cones cannot carry is `unstable` with
 /// either law; `unbounded` means that the associative law has no collapse and no other was met.
 ///
 /// Where no pair is met the range says from where on there may be one. A pair of Coulomb's law has

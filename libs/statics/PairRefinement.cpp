@@ -297,7 +297,7 @@ private:
 
 template<int Rows, int Forces>
 std::optional<CoulombPair> refinedPair(const ConeProgram<Rows, Forces>& given, const CoulombPair& pair,
-                                       double slidesFrom)
+                                       double slidesFrom, const std::function<bool()>& isOver)
 {
     if (given.hasCrushing())
     {
@@ -307,8 +307,16 @@ std::optional<CoulombPair> refinedPair(const ConeProgram<Rows, Forces>& given, c
     for (int round = 0; round < mostRoundsOfRoles; ++round)
     {
         equations.linearise();
-        for (int step = 0; step < mostSteps && equations.error() > solved && equations.step(); ++step)
+        for (int step = 0; step < mostSteps && equations.error() > solved; ++step)
         {
+            if (isOver && isOver())
+            {
+                return std::nullopt;
+            }
+            if (!equations.step())
+            {
+                break;
+            }
         }
         if (!equations.changeRoles())
         {
@@ -319,8 +327,8 @@ std::optional<CoulombPair> refinedPair(const ConeProgram<Rows, Forces>& given, c
 }
 
 template std::optional<CoulombPair> refinedPair(const PlaneConeProgram& given, const CoulombPair& pair,
-                                                double slidesFrom);
+                                                double slidesFrom, const std::function<bool()>& isOver);
 template std::optional<CoulombPair> refinedPair(const SpaceConeProgram& given, const CoulombPair& pair,
-                                                double slidesFrom);
+                                                double slidesFrom, const std::function<bool()>& isOver);
 
 } // namespace drystone

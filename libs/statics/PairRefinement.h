@@ -21,9 +21,11 @@ namespace drystone
 /// are closed, and it is found anew. Forces of points that stick may be beyond their limits: nearestPair
 /// (CoulombExchange.h) has those that are not.
 /// \param slidesFrom points whose slip is less than this share of the largest rate stick
-/// \return whatever it ends with: judge it. None where a point crushes, which has no equations here
+/// \param isOver asked before each step; may be empty
+/// \return whatever it ends with: judge it. None where a point crushes, which has no equations here, and
+/// where it is over
 template<int Rows, int Forces>
 std::optional<CoulombPair> refinedPair(const ConeProgram<Rows, Forces>& given, const CoulombPair& pair,
-                                       double slidesFrom);
+                                       double slidesFrom, const std::function<bool()>& isOver = {});
 
 } // namespace drystone

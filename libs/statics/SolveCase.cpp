@@ -262,6 +262,7 @@ std::vector<LimitAnalysis> solveLimitAnalyses(LimitAnalysisCase<Dim>& structure,
     Kept<Dim> ofStructure{kept ? *kept : own};
     std::vector<LimitAnalysis> results = solveWithMorePoints(structure, solveAllWithPoints<Dim>, ofStructure);
     structure.partUse = ofStructure.use;
+    structure.cutShort = static_cast<int>(std::count_if(results.begin(), results.end(), isCutShort));
     if (structure.loads.positions.empty())
     {
         return results;

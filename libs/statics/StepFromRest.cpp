@@ -39,8 +39,9 @@ template<int Rows, int Forces>
 class Steps
 {
 public:
-    Steps(const ConeProgram<Rows, Forces>& structure, const VectorXd& forces)
-        : given(structure), moving(structure)
+    Steps(const ConeProgram<Rows, Forces>& structure, const VectorXd& forces,
+          const std::function<bool()>& over)
+        : given(structure), moving(structure), isOver(over)
     {
         moving.liveLoad.resize(0);
         moving.gap = VectorXd::Zero(Forces * given.points());
@@ -49,16 +50,20 @@ public:
         start.contactForce = forces;
     }
 
-    /// None where it is not reached.
+    /// None where it is not reached, or the time for it is over.
     std::optional<ConeSolution> under(double alpha, std::size_t firstStage)
     {
         moving.load = given.load + alpha * given.liveLoad;
         ConeSolution step = start;
         for (std::size_t stage = firstStage; stage < stiffnesses.size(); ++stage)
         {
+            if (isOver && isOver())
+            {
+                return std::nullopt;
+            }
             ContactPath<Rows, Forces> path(
                 moving, step,
-                {Sliding::coulomb, stiffnesses[stage], pathTolerance, mostChanges * given.points()},
+                {Sliding::coulomb, stiffnesses[stage], pathTolerance, mostChanges * given.points(), isOver},
                 symbolic);
             const bool isReached = path.follow(moving);
             factorisations += path.factorisations();
@@ -79,6 +84,7 @@ private:
     ConeProgram<Rows, Forces> moving;
     ConeSolution start;
     SymbolicAnalysis symbolic;
+    const std::function<bool()>& isOver;
 };
 
 template<int Rows, int Forces>
@@ -128,9 +134,10 @@ std::optional<CoulombPair> pairFrom(Steps<Rows, Forces>& steps, std::size_t firs
 template<int Rows, int Forces>
 std::optional<CoulombPair> pairFromRest(const ConeProgram<Rows, Forces>& given, double begins,
                                         const VectorXd& forces,
-                                        const std::function<bool(CoulombPair&)>& isPair, int& factorisations)
+                                        const std::function<bool(CoulombPair&)>& isPair, int& factorisations,
+                                        const std::function<bool()>& isOver)
 {
-    Steps<Rows, Forces> steps(given, forces);
+    Steps<Rows, Forces> steps(given, forces, isOver);
     std::optional<CoulombPair> pair;
     for (const std::size_t firstStage : firstStages)
     {
@@ -146,10 +153,10 @@ std::optional<CoulombPair> pairFromRest(const ConeProgram<Rows, Forces>& given, 
 template std::optional<CoulombPair> pairFromRest(const PlaneConeProgram& given, double begins,
                                                  const VectorXd& forces,
                                                  const std::function<bool(CoulombPair&)>& isPair,
-                                                 int& factorisations);
+                                                 int& factorisations, const std::function<bool()>& isOver);
 template std::optional<CoulombPair> pairFromRest(const SpaceConeProgram& given, double begins,
                                                  const VectorXd& forces,
                                                  const std::function<bool(CoulombPair&)>& isPair,
-                                                 int& factorisations);
+                                                 int& factorisations, const std::function<bool()>& isOver);
 
 } // namespace drystone

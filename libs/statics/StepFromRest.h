@@ -20,11 +20,12 @@ namespace drystone
 ///
 /// \param given without crushing \param begins a live load beyond which motion is looked for, and below where
 /// there is any there \param forces for that load, or the dead one, to begin with \param isPair judges forces
-/// and mechanism \param factorisations those taken are added \return the pair, L'y = 1; none where no step
-/// leads to one
+/// and mechanism \param factorisations those taken are added \param isOver asked on the way, which ends where
+/// it says so; may be empty \return the pair, L'y = 1; none where no step leads to one
 template<int Rows, int Forces>
 std::optional<CoulombPair> pairFromRest(const ConeProgram<Rows, Forces>& given, double begins,
                                         const Eigen::VectorXd& forces,
-                                        const std::function<bool(CoulombPair&)>& isPair, int& factorisations);
+                                        const std::function<bool(CoulombPair&)>& isPair, int& factorisations,
+                                        const std::function<bool()>& isOver = {});
 
 } // namespace drystone

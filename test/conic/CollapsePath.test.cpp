@@ -117,6 +117,25 @@ TEST(CollapsePath, ElasticityHasNoPartInAnEndThatIsUnique)
     }
 }
 
+TEST(CollapsePath, EndsWhereItIsAskedTo)
+{
+    const PlaneConeProgram program = planeLimitAnalysis(evenTower(3, 0.5, 0.4));
+    const Eigen::VectorXd forces = resting(program);
+    const CollapsePair whole = followCollapsePath(program, forces, 0);
+    ASSERT_EQ(whole.end, PathEnd::collapse);
+    ASSERT_GT(whole.pieces, 2);
+    for (int pieces = 0; pieces <= whole.pieces + 1; ++pieces)
+    {
+        int asked = 0;
+        CollapsePathSettings settings;
+        settings.isOver = [&] { return asked++ == pieces; };
+        const CollapsePair pair = followCollapsePath(program, forces, 0, settings);
+        EXPECT_EQ(pair.end, pieces <= whole.pieces ? PathEnd::stopped : PathEnd::collapse) << pieces;
+        EXPECT_EQ(pair.pieces, std::min(pieces, whole.pieces));
+        EXPECT_LE(pair.factorisations, whole.factorisations);
+    }
+}
+
 TEST(CollapsePath, DilatancyOpensWhatSlidesAndCanBeTakenAwayAgain)
 {
     const double mu = 0.3;

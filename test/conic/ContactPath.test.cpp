@@ -171,6 +171,22 @@ TEST(ContactPath, GoesOnFromItsOwnForcesByOneFactorisation)
         1e-7);
 }
 
+TEST(ContactPath, IsNotReachedWhereItsTimeIsOver)
+{
+    std::mt19937 random(3);
+    const PlaneConeProgram program = pushedStack(8, random);
+    SymbolicAnalysis symbolic;
+    ContactPathSettings settings{Sliding::coulomb, 1e4, 1e-12, 1000};
+    ContactPath<3, 2> whole(program, nothing(program), settings, symbolic);
+    ASSERT_TRUE(whole.follow(program));
+    ASSERT_GT(whole.pivots, 3);
+    int asked = 0;
+    settings.isOver = [&asked] { return ++asked == 3; };
+    ContactPath<3, 2> ended(program, nothing(program), settings, symbolic);
+    EXPECT_FALSE(ended.follow(program));
+    EXPECT_EQ(ended.pivots, 3);
+}
+
 TEST(ContactPath, WhatItCannotTakeIsRefused)
 {
     PlaneConeProgram program = lowBlock(0.3, 1, 0.4);

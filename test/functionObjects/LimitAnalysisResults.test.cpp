@@ -86,6 +86,42 @@ TEST(LimitAnalysisTables, AMultiplierOfZeroHasNoSign)
     EXPECT_THAT(coulombText(range), testing::HasSubstr("\n0 0 0 0 0 inf\n"));
 }
 
+TEST(LimitAnalysisTables, SayWhenASearchWasCutShort)
+{
+    CoulombRange range;
+    EXPECT_THAT(coulombText(range), testing::Not(testing::HasSubstr("cutShort")));
+    range.cutShortAfter = 60.25;
+    EXPECT_THAT(coulombText(range), testing::HasSubstr(" fall[-] cutShortAfter[s]\n0 0 0 0 0 inf 60.25\n"));
+}
+
+TEST(CollapseProgressLog, NamesTheKeyOnceWhenASearchIsLong)
+{
+    for (const bool isLimited : {false, true})
+    {
+        double now = 100;
+        testing::internal::CaptureStdout();
+        const auto log = collapseProgressLog(isLimited, [&now] { return now; });
+        std::string said;
+        for (int second = 0; second < 120; ++second, ++now)
+        {
+            log({1, second, 0.1, 0.2});
+            if (second == 29)
+            {
+                flushLog();
+                said = testing::internal::GetCapturedStdout();
+                EXPECT_THAT(said, testing::HasSubstr("path 1"));
+                EXPECT_THAT(said, testing::Not(testing::HasSubstr("maximumTime")));
+                testing::internal::CaptureStdout();
+            }
+        }
+        flushLog();
+        said = testing::internal::GetCapturedStdout();
+        const std::size_t first = said.find("maximumTime");
+        EXPECT_EQ(first != std::string::npos, !isLimited) << said;
+        EXPECT_EQ(said.find("maximumTime", isLimited ? 0 : first + 1), std::string::npos) << said;
+    }
+}
+
 TEST_F(LimitAnalysisResults, OfACollapseHaveTheMultiplier)
 {
     solve("type inertial; direction (1 0 0);");

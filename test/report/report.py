@@ -92,6 +92,44 @@ class Report(CaseTest):
         self.assertNotIn("largest that the structure carries", page)
         self.assertRegex(page, r"Coulomb's law: lowest of the collapses found, alpha .* associative, an upper bound: 0.64")
 
+    def testSaysWhereTheTimeOfASearchWasUsedUp(self):
+        case = self.wall()
+        self.edit(case, "constant/contactProperties", "friction/flowRule", "nonAssociative")
+        lines = self.read(case, "system/solution").splitlines()
+        place = next(i for i, line in enumerate(lines) if line.strip() == "limitAnalysis") + 2
+        self.assertEqual(lines[place - 1].strip(), "{")
+
+        def limit(entry):
+            with open(os.path.join(case, "system/solution"), "w", encoding="utf-8") as file:
+                file.write("\n".join([*lines[:place], "nonAssociative { " + entry + " }", *lines[place:]]) + "\n")
+
+        for entry, said in {"maximumTime 0;": "maximumTime", "maximumTime -1;": "maximumTime",
+                            "maximumTme 60;": "maximumTime", "maximumTime long;": "maximumTime"}.items():
+            limit(entry)
+            done = self.runApplication("limitAnalysis", case, "-dry-run", status=1)
+            self.assertIn(said, done.stderr)
+            self.assertIn(f"at line {place + 1}.", done.stderr)
+        limit("maximumTime 1000;")
+        self.runApplication("limitAnalysis", case)
+        self.assertNotIn("cutShort", self.read(case, "postProcessing/limitAnalysis/0/coulomb.dat"))
+        limit("maximumTime 1e-9;")
+        done = self.runApplication("limitAnalysis", case)
+        self.assertIn("Collapse load multiplier alpha <= 0.642859", done.stdout)
+        self.assertRegex(done.stdout, r"(?m)^The search was ended by maximumTime after [\d.e-]+ s, before all was tried: ")
+        self.assertIn("Status: upper bound", done.stdout)
+        self.assertIn("Raise it, or remove it", done.stderr)
+        self.assertRegex(done.stderr, rf"system/solution/limitAnalysis/nonAssociative/maximumTime at line {place + 1}\.")
+        names, row = self.read(case, "postProcessing/limitAnalysis/0/coulomb.dat").splitlines()
+        self.assertEqual(names.split()[-1], "cutShortAfter[s]")
+        self.assertEqual(len(row.split()), len(names.split()) - 1)
+        for log in ("", "Coulomb's law: path 1, 20 pieces, at 0.1 times the live load\n" + done.stdout):
+            with open(os.path.join(case, "log.limitAnalysis"), "w", encoding="utf-8") as file:
+                file.write(log)
+            self.run_(case)
+            page = html.unescape(self.read(case, "report.html"))
+            self.assertRegex(page, r"The search was ended by maximumTime after [\d.e-]+ s, before all was tried")
+            self.assertNotIn("20 pieces", page)
+
     def testSaysWhichResultsAreMissingOrDamaged(self):
         case = self.wall()
         self.runApplication("limitAnalysis", case)

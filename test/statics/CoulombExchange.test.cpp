@@ -4,6 +4,7 @@
 #include "Structures.h"
 #include "conic/InteriorPoint.h"
 #include "statics/PairRefinement.h"
+#include "statics/StepFromRest.h"
 
 #include <gtest/gtest.h>
 
@@ -107,6 +108,31 @@ TEST(PairRefinement, APairNearbyIsTakenToItsLastDigits)
     EXPECT_NEAR(refined->alpha, slidingFriction, ofRefinement);
     EXPECT_LE(coulombResiduals(program, refined->alpha, refined->contactForce, refined->mechanism).worst(),
               ofRefinement);
+    EXPECT_FALSE(refinedPair(program, pair, 1e-2, [] { return true; }));
+}
+
+/// Motion from rest of a block that slides begins at its friction, unless there is no time to find that.
+TEST(StepFromRest, EndsWhereItIsAskedTo)
+{
+    const PlaneConeProgram program = pushedBlock(slidingFriction);
+    const Eigen::Vector4d resting(500, 0, 500, 0);
+    const auto isPair = [&program](CoulombPair& pair)
+    { return coulombResiduals(program, pair.alpha, pair.contactForce, pair.mechanism).worst() <= 1e-6; };
+    int whole = 0;
+    int asks = 0;
+    const auto pair =
+        pairFromRest<3, 2>(program, slidingFriction, resting, isPair, whole, [&asks] { return ++asks < 0; });
+    ASSERT_TRUE(pair);
+    EXPECT_NEAR(pair->alpha, slidingFriction, 1e-6);
+    for (int most = 0; most < asks; ++most)
+    {
+        int asked = 0;
+        int factorisations = 0;
+        EXPECT_FALSE((pairFromRest<3, 2>(program, slidingFriction, resting, isPair, factorisations,
+                                         [&] { return asked++ >= most; })));
+        EXPECT_LE(factorisations, most);
+        EXPECT_LT(factorisations, whole);
+    }
 }
 
 } // namespace

@@ -101,6 +101,98 @@ TEST(NonAssociative, ReportsHowFarItHasComeWithoutChangingTheResult)
     }
 }
 
+TEST(NonAssociative, WithoutTimeIsTheBoundOfTheAssociativeLaw)
+{
+    const WeighedStructure structure = standing(paperWalls()[4].bond);
+    const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
+    const LimitAnalysis associative = solveLimitAnalysis(program);
+    const LimitAnalysis result = solveNonAssociative(program, {.maximumTime = 1e-9});
+    EXPECT_EQ(result.status, CollapseStatus::upperBound);
+    EXPECT_EQ(result.alpha, associative.alpha);
+    EXPECT_EQ(result.contactForce, associative.contactForce);
+    EXPECT_EQ(result.mechanism, associative.mechanism);
+    EXPECT_EQ(result.certificate.worst(), associative.certificate.worst());
+    EXPECT_EQ(result.coulomb->starts, 0);
+    EXPECT_TRUE(std::isinf(result.coulomb->lowest));
+    EXPECT_TRUE(std::isfinite(result.coulomb->safe));
+    ASSERT_TRUE(isCutShort(result));
+    EXPECT_GE(*result.coulomb->cutShortAfter, 1e-9);
+}
+
+TEST(NonAssociative, BeforeItsTimeIsUsedUpIsTheSameAsWithoutLimit)
+{
+    const WeighedStructure structure = standing(paperWalls()[4].bond);
+    const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
+    const LimitAnalysis any = solveNonAssociative(program, {.starts = 3});
+    const LimitAnalysis limited =
+        solveNonAssociative(program, {.starts = 3, .maximumTime = 1e9, .isOver = [] { return false; }});
+    EXPECT_FALSE(isCutShort(any));
+    EXPECT_FALSE(isCutShort(limited));
+    EXPECT_EQ(limited.status, any.status);
+    EXPECT_EQ(limited.alpha, any.alpha);
+    EXPECT_EQ(limited.contactForce, any.contactForce);
+    EXPECT_EQ(limited.mechanism, any.mechanism);
+    EXPECT_EQ(limited.certificate.worst(), any.certificate.worst());
+    EXPECT_EQ(limited.iterations, any.iterations);
+    EXPECT_EQ(limited.factorisations, any.factorisations);
+    EXPECT_EQ(limited.coulomb->highest, any.coulomb->highest);
+    EXPECT_EQ(limited.coulomb->starts, 3);
+}
+
+TEST(NonAssociative, APathThatIsEndedLeavesThePairOfBefore)
+{
+    const WeighedStructure structure = standing(paperWalls()[4].bond);
+    const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
+    const LimitAnalysis one = solveNonAssociative(program, {.starts = 1});
+    CollapseProgress last;
+    NonAssociativeSettings settings{.starts = 3};
+    settings.observe = [&last](const CollapseProgress& progress) { last = progress; };
+    settings.isOver = [&last] { return last.path == 2 && last.pieces >= 3; };
+    const LimitAnalysis result = solveNonAssociative(program, settings);
+    EXPECT_EQ(last.path, 2);
+    EXPECT_EQ(last.pieces, 3);
+    EXPECT_TRUE(isCutShort(result));
+    EXPECT_EQ(result.status, CollapseStatus::optimal);
+    EXPECT_EQ(result.alpha, one.alpha);
+    EXPECT_EQ(result.contactForce, one.contactForce);
+    EXPECT_EQ(result.mechanism, one.mechanism);
+    EXPECT_EQ(result.coulomb->starts, 2);
+    EXPECT_EQ(result.coulomb->converged, 1);
+}
+
+TEST(NonAssociative, WhereverItIsEndedIsTheLowestPairSoFar)
+{
+    const WeighedStructure structure = standing(paperWalls()[0].bond);
+    const PlaneConeProgram program = structure.program(0.65, structure.weightLoads());
+    const double associative = solveLimitAnalysis(program).alpha;
+    double before = associative;
+    bool isCut = true;
+    int pairs = 0;
+    for (int asks = 0; isCut; asks += 1 + asks / 50)
+    {
+        SCOPED_TRACE(asks);
+        int asked = 0;
+        const LimitAnalysis result =
+            solveNonAssociative(program, {.starts = 3, .isOver = [&] { return asked++ >= asks; }});
+        isCut = isCutShort(result);
+        EXPECT_LE(asked, asks + 1); // what is over stays so
+        EXPECT_LE(result.alpha, before);
+        if (result.status == CollapseStatus::optimal)
+        {
+            expectCoulomb(program, result);
+            pairs += isCut;
+        }
+        else
+        {
+            EXPECT_EQ(result.status, CollapseStatus::upperBound);
+            EXPECT_EQ(result.alpha, associative);
+        }
+        before = result.alpha;
+    }
+    EXPECT_GT(pairs, 0);
+    EXPECT_LE(before, 0.638982 + 5e-7);
+}
+
 TEST(NonAssociative, OfAMonolithIsThatOfTheAssociativeLaw)
 {
     // Statically determinate: normal forces follow from equilibrium.

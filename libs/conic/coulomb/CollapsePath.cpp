@@ -58,7 +58,7 @@ public:
     {
     }
 
-    PathEnd follow(int mostPieces, const std::function<void(int, double)>& observe);
+    PathEnd follow(int mostPieces, const CollapsePathSettings& settings);
     /// Another psi from now on, with the same forces and slips.
     void changeDilatancy(double dilatancy) { now.changeDilatancy(dilatancy); }
     CollapsePair pair(PathEnd end) const;
@@ -241,11 +241,15 @@ void CollapsePath<Rows, Forces>::take(Walk& walk, double distance, const typenam
 }
 
 template<int Rows, int Forces>
-PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces, const std::function<void(int, double)>& observe)
+PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces, const CollapsePathSettings& settings)
 {
     Walk walk{.begin = pieceCount};
     for (; pieceCount < walk.begin + mostPieces; ++pieceCount)
     {
+        if (settings.isOver && settings.isOver())
+        {
+            return PathEnd::stopped;
+        }
         if (!push())
         {
             return PathEnd::unfinished;
@@ -287,9 +291,9 @@ PathEnd CollapsePath<Rows, Forces>::follow(int mostPieces, const std::function<v
             }
         }
         take(walk, distance, first, leaving);
-        if (observe)
+        if (settings.observe)
         {
-            observe(pieceCount, now.multiplier * now.system.force / now.system.live);
+            settings.observe(pieceCount, now.multiplier * now.system.force / now.system.live);
         }
     }
     return PathEnd::unfinished;
@@ -332,11 +336,11 @@ CollapsePair followCollapsePath(const ConeProgram<Rows, Forces>& program, const 
     constexpr int piecesOfPoint = Forces == 2 ? 10 : 4;
     const int mostPieces =
         settings.maximumPieces > 0 ? settings.maximumPieces : 1000 + piecesOfPoint * program.points();
-    PathEnd end = path.follow(mostPieces, settings.observe);
+    PathEnd end = path.follow(mostPieces, settings);
     if (end == PathEnd::collapse && settings.finalDilatancy < settings.dilatancy)
     {
         path.changeDilatancy(settings.finalDilatancy);
-        end = path.follow(mostPieces, settings.observe);
+        end = path.follow(mostPieces, settings);
     }
     return path.pair(end);
 }

@@ -21,15 +21,17 @@ struct CollapsePathSettings
     int maximumPieces = 0;
     /// Called after each piece with their number so far and the multiplier there. May be empty.
     std::function<void(int pieces, double multiplier)> observe = {};
+    std::function<bool()> isOver = {}; ///< asked before each piece: the path ends there. May be empty
 };
 
 /// Where a path leads.
 enum class PathEnd
 {
-    collapse,  ///< a pair of forces and mechanism on which the live load does work
-    fall,      ///< a pair on whose mechanism it does none: the dead load alone drives it
-    reversed,  ///< a pair on whose mechanism it does negative work
-    unfinished ///< the pieces are used up, rounding ends the path, or the load grows without limit
+    collapse,   ///< a pair of forces and mechanism on which the live load does work
+    fall,       ///< a pair on whose mechanism it does none: the dead load alone drives it
+    reversed,   ///< a pair on whose mechanism it does negative work
+    unfinished, ///< the pieces are used up, rounding ends the path, or the load grows without limit
+    stopped     ///< as `isOver` has asked for
 };
 
 /// A pair of forces and mechanism that obey Coulomb's law without dilatancy:
@@ -69,7 +71,7 @@ struct CollapsePair
 /// without work of the live load: its wedging holds it.
 ///
 /// \param contactForce s, which balance f + multiplier L within the limits, best not all at them
-/// \return the pair where `end` is not `unfinished`. It proves nothing: judge it
+/// \return the pair where `end` is neither `unfinished` nor `stopped`. It proves nothing: judge it
 /// \throws std::invalid_argument for a program with inertia or compliance or gaps, without live load
 template<int Rows, int Forces>
 CollapsePair followCollapsePath(const ConeProgram<Rows, Forces>& program, const Eigen::VectorXd& contactForce,

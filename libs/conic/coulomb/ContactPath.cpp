@@ -248,7 +248,7 @@ bool ContactPath<Rows, Forces>::walk(const VectorXd& residualOfStart, const Vect
         {
             return false;
         }
-        if (++pivots > mostPivots || !cross(exit, direction, rate))
+        if (++pivots > mostPivots || (settings.isOver && settings.isOver()) || !cross(exit, direction, rate))
         {
             return false;
         }

@@ -6,6 +6,8 @@
 #include "conic/coulomb/PathExit.h"
 #include "conic/coulomb/PieceMatrix.h"
 
+#include <functional>
+
 namespace drystone
 {
 
@@ -15,6 +17,8 @@ struct ContactPathSettings
     double stiffness = 0;     ///< k of every point, in both directions [N/m]
     double tolerance = 1e-12; ///< on the equations of motion, relative to the largest load
     int maximumPivots = 1000; ///< changes of state of single points, in one call
+    /// Asked before each of them: where it says so the solution is not reached. May be empty.
+    std::function<bool()> isOver = {};
 };
 
 /// Solves, for a program with inertia,
