@@ -136,7 +136,10 @@ void printCutShort(const LimitAnalysisCase<Dim>& structure, const std::vector<Li
     const bool isWithoutPair =
         std::any_of(results.begin(), results.end(),
                     [](const LimitAnalysis& result)
-                    { return isCutShort(result) && result.status == CollapseStatus::upperBound; });
+                    { return isCutShort(result) && result.status == CollapseStatus::upperBound; })
+        || std::any_of(structure.envelope.begin(), structure.envelope.end(),
+                       [](const PositionResult& position)
+                       { return position.status == CollapseStatus::upperBound; });
     printWarning(
         fmt::format("maximumTime has ended {} for collapses by Coulomb's law before all was tried: {}. Raise "
                     "it, or remove it, to search on.",

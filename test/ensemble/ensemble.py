@@ -540,6 +540,23 @@ results
             self.assertNotIn("several samples at once", self.run_(case, status=2 if isFew else 0).stdout)
             self.assertTrue(all(row[3] == ("3" if isFew else "0") for row in self.table(case)[1:]), self.table(case))
 
+    def testASearchThatMaximumTimeEndsIsNamed(self):
+        """As of a case by itself a sample without a collapse has no multiplier; one whose time suffices is the same."""
+        for name, limit, isEnded in (("endsAtOnce", 1e-9, True), ("hasTime", 1000, False)):
+            case = self.case(name, samples=3, statistics="")
+            with open(os.path.join(case, "constant/contactProperties"), "w", encoding="utf-8") as file:
+                file.write(header % "contactProperties" + "friction { type Coulomb; mu 0.65; flowRule nonAssociative; }\n")
+            with open(os.path.join(case, "system/solution"), "w", encoding="utf-8") as file:
+                file.write(header % "solution" + f"limitAnalysis {{ nonAssociative {{ maximumTime {limit}; }} }}\n")
+            done = self.run_(case, "-jobs", "1")
+            self.assertEqual("Samples had warnings: see" in done.stdout, isEnded, done.stdout)
+            if isEnded:
+                said = self.read(case, re.search(r"warnings: see (.*)", done.stdout).group(1))
+                self.assertEqual(said.count("maximumTime has ended the search"), 1, said)
+                self.assertIn("system/solution/limitAnalysis/nonAssociative/maximumTime at line", said)
+            column = [row[3] for row in self.table(case)[1:]]
+            self.assertEqual([value == "nan" for value in column], 3 * [isEnded], self.table(case))
+
     def testAFolderOfTheVersionBeforeIsContinued(self):
         """Its file of chunks had their number alone in its name; journals say what is done."""
         case, _ = self.runUntilItIsHit("before", "1", lambda process: process.send_signal(signal.SIGINT) is None,
