@@ -319,8 +319,9 @@ std::function<void(const CollapseProgress&)> collapseProgressLog(bool isLimited,
         if (clock() - last >= every)
         {
             last = clock();
-            info("Coulomb's law: path {}, {} pieces, at {:.4g} times the live load; {}. ClockTime = {:.0f} s",
-                 progress.path, progress.pieces, progress.multiplier,
+            info("Coulomb's law: {} {}, {} {}, at {:.4g} times the live load; {}. ClockTime = {:.0f} s",
+                 progress.isPath ? "path" : "start", progress.path, progress.pieces,
+                 progress.isPath ? "pieces" : "programs", progress.multiplier,
                  std::isfinite(progress.lowest)
                      ? fmt::format("lowest collapse so far {:.6g}", progress.lowest)
                      : "no collapse met yet",

@@ -30,7 +30,7 @@ public:
     /// Whether the search has to end, from the first time on that its time is used up or the settings say so.
     bool isOver();
 
-    /// One path and what follows from it.
+    /// One path, or programs with cohesion where a path would take too long, and what follows from it.
     void go(int number);
 
     /// With the forces of the associative collapse a mechanism that does not open where it slides, and what
@@ -45,6 +45,8 @@ public:
     bool takesMechanisms = false;
     /// Whether paths that have not led to a pair are repeated with a little dilatancy, until there is one.
     bool wedges = Forces == 2;
+    /// Whether starts are followed by paths, which have several pieces for each point, a factorisation each.
+    bool followsPaths;
     /// Whether all pairs are near the ends of paths, but were not met by them.
     bool isByRefinement = false;
     CoulombRange range;
@@ -64,7 +66,9 @@ private:
     /// What the exchanges of forces and mechanism solve their programs with.
     ProgramSolver<Rows, Forces> solver();
     /// Of a program whose forces are nothing but a start.
-    ConeSolution solveRoughly(const Program& program);
+    ConeSolution solveRoughly(const Program& program, double tolerance);
+    /// Tells the observer how far a start has been followed.
+    void report(int pieces, double multiplier) const;
     CollapsePair path(const Start& start, const CollapsePathSettings& settings);
     /// In [0, 1), the same on every machine.
     double uniform();
@@ -87,6 +91,9 @@ private:
     /// Takes the pair to its last digits, where it is near one. \return whether that is one
     bool refine(CoulombPair& pair);
 
+    /// Programs with a cohesion in place of friction (FictitiousCohesion.h) from the pressures of a start,
+    /// and the multiplier of their pair made least. \return whether they have led to a pair
+    bool followCohesion(const Start& start);
     /// Follows a path, and makes the multiplier of its pair least. \return whether it has led to a pair
     bool follow(const Start& start, const CollapsePathSettings& settings);
     /// The same with a little dilatancy, which is taken away at the end but for what the tolerance allows;

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The order of the moves: paths, the associative forces, steps from rest, paths that may wedge.
+/// The order of the moves: paths, the associative forces, steps from rest, programs with cohesion, paths that
+/// may wedge; the programs first where paths would take minutes.
 #include "statics/NonAssociative.h"
 
 #include "statics/CollapseSearch.h"
@@ -55,7 +56,7 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
                || (isFound ? Forces == 3 && vain < vainStarts && further < mostStartsToLower
                            : further < furtherStarts);
     };
-    const auto followPaths = [&]
+    const auto followStarts = [&]
     {
         for (int start = 0; goesOn(start) && !search.isOver(); ++start)
         {
@@ -65,9 +66,19 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
                 search.lowest.alpha < (1 - leastLowering) * before || !search.lowest.exists() ? 0 : vain + 1;
         }
     };
+    const bool isLarge = !search.followsPaths;
+    if (isLarge)
+    {
+        followStarts();
+        search.followsPaths = true;
+        if (search.lowest.exists())
+        {
+            return;
+        }
+    }
     // What wedges by the associative law mostly slides out with a mechanism of which a path knows the forces.
     search.takesMechanisms = ofAssociative == CollapseStatus::unbounded;
-    followPaths();
+    followStarts();
     // Pairs of motion from rest are mostly lower than those that had to be refined.
     const auto isShort = [&]
     { return (!search.lowest.exists() || search.isByRefinement) && !search.fall.exists(); };
@@ -79,11 +90,18 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
     {
         search.takeStepsFromRest();
     }
-    if (!search.lowest.exists() && !search.fall.exists())
+    const auto isWithout = [&] { return !search.lowest.exists() && !search.fall.exists(); };
+    if (isWithout() && !isLarge)
+    {
+        search.followsPaths = false;
+        followStarts();
+        search.followsPaths = true;
+    }
+    if (isWithout())
     {
         search.takesMechanisms = true;
         search.wedges = true;
-        followPaths();
+        followStarts();
     }
 }
 

@@ -15,10 +15,11 @@ namespace drystone
 /// How far a search has come.
 struct CollapseProgress
 {
-    int path = 0;          ///< that is being followed, from 1
-    int pieces = 0;        ///< of it, so far
+    int path = 0;          ///< or start that is being followed, from 1
+    int pieces = 0;        ///< of it, or programs, so far
     double multiplier = 0; ///< to which it has been followed
     double lowest = 0;     ///< of the pairs met so far; infinite: none
+    bool isPath = true;    ///< or programs with cohesion in place of friction
 };
 
 /// Keys of `nonAssociative { ... }` in system/solution/limitAnalysis.
@@ -54,6 +55,11 @@ void declare(Options& options, NonAssociativeSettings& settings);
 /// slip where they slide. With those forces held another mechanism is chosen of the many that they allow, one
 /// that does not move the points which keep the multiplier from being less; and so on, in turn, until there
 /// is none.
+///
+/// With thousands of points a path takes minutes to hours. Starts are then followed by programs of the
+/// associative law with a cohesion in place of friction (FictitiousCohesion.h), whose pairs are those of a
+/// fixed point and not met by loading; paths follow where they lead to none. They are also tried where paths
+/// and steps from rest have led to none.
 ///
 /// Where a path ends with blocks that fall under the dead load alone, so that the live load does no work on
 /// the mechanism, it is repeated with a little dilatancy, by which they wedge, and that is taken away again

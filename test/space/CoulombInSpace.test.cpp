@@ -306,6 +306,55 @@ TEST(CoulombInSpace, HousesDomesTowersAndBondsAreAnswered)
     }
 }
 
+// A house of hundreds of blocks: a path has several pieces for each of its points, and takes minutes.
+TEST(CoulombInSpace, AHouseOfHundredsOfBlocksIsAnsweredWithoutPaths)
+{
+    const Assembly<3> assembly = makeStructure<3>(Dictionary::readString(R"(
+        dimensions 3;
+        texture
+        {
+            type walls;
+            unit (0.4 0.2 0.2);
+            bond running;
+            courses 14;
+            walls
+            {
+                front { from (0 0); length 12; }
+                back { from (0 3.6); length 12; thickness right; }
+                left { from (0 0); direction (0 1); length 9; thickness right; }
+                right { from (4.8 0); direction (0 1); length 9; thickness left; }
+            }
+            openings
+            (
+                { wall front; from (2 0); to (4 8); lintel 0.5; }
+                { wall front; from (7 4); to (9 9); lintel 1; }
+                { wall right; from (3 4); to (5 9); lintel 1; }
+            );
+        }
+        supports { ground { type ground; } }
+    )"));
+    const auto points = findContactPoints(assembly);
+    ASSERT_GT(points.size(), 4000u);
+    const SpaceConeProgram program =
+        test::programOf(assembly, points, 0.65, test::pushed(assembly, {1, 0, 0}));
+    // To the first collapse; others are looked for until none is lower, half a minute longer.
+    bool hasFollowedPath = false;
+    bool isMet = false;
+    const NonAssociativeSettings settings{.observe =
+                                              [&](const CollapseProgress& progress)
+                                          {
+                                              hasFollowedPath = hasFollowedPath || progress.isPath;
+                                              isMet = isMet || std::isfinite(progress.lowest);
+                                          },
+                                          .isOver = [&] { return isMet; }};
+    const LimitAnalysis result = solveNonAssociative(program, settings);
+    expectCoulomb(program, result);
+    EXPECT_FALSE(hasFollowedPath);
+    EXPECT_EQ(result.coulomb->starts, 2);
+    EXPECT_EQ(result.coulomb->converged, 1);
+    EXPECT_LT(result.alpha, 0.95 * result.coulomb->associative); // 0.272, of which friction is a part
+}
+
 // A box with cohesion over its base: C + mu W, whichever way it is pushed.
 TEST(CoulombInSpace, ABoxWithCohesionSlidesAtItsClosedForm)
 {
