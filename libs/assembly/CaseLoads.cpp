@@ -49,17 +49,17 @@ std::optional<SupportMovement<Dim>> readMovement(const Dictionary& loads, const 
                        loads.subDict("live").locationOf("support"));
 }
 
-/// The places of a live load of type moving; none for others.
+/// The places of a live load of type moving, and those that are left out; none for others.
 template<int Dim>
-std::vector<LoadPosition<Dim>> readPositions(const Dictionary& loads, const Assembly<Dim>& assembly)
+void readPositions(const Dictionary& loads, const Assembly<Dim>& assembly, CaseLoads<Dim>& result)
 {
     const auto settings = settingsOfLive<MovingLoadSettings<Dim>>(loads, "moving");
     if (!settings)
     {
-        return {};
+        return;
     }
-    std::vector<LoadPosition<Dim>> positions = movingLoad(assembly, *settings);
-    if (positions.empty())
+    result.positions = movingLoad(assembly, *settings);
+    if (result.positions.empty())
     {
         throw FatalIOError(
             fmt::format("The moving load meets no free block: from nowhere between {} and {} does its force "
@@ -67,7 +67,7 @@ std::vector<LoadPosition<Dim>> readPositions(const Dictionary& loads, const Asse
                         asWritten<Dim>(settings->from), asWritten<Dim>(settings->to)),
             loads.subDict("live").locationOf("from"));
     }
-    return positions;
+    result.placesLeftOut = placesWithoutLoad(result.positions, *settings);
 }
 
 /// The loads that `cases` names, as load vectors.
@@ -142,7 +142,7 @@ CaseLoads<Dim> readLoads(const std::filesystem::path& caseDirectory, const LoadC
     loads.cases = rowsOf(with.cases);
     setDead(loads, cases.dead(with));
     loads.movement = readMovement(dictionary, context.assembly);
-    loads.positions = readPositions(dictionary, context.assembly);
+    readPositions(dictionary, context.assembly, loads);
     if (!loads.positions.empty())
     {
         loads.live = loads.positions.front().live;
