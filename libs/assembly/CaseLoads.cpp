@@ -88,6 +88,18 @@ void setDead(LoadVectors& loads, Load load)
     loads.firstMomentsOfDead = std::move(load.firstMoments);
 }
 
+/// Blocks without weight hold each other by nothing but the live load.
+void questionDeadLoad(const Eigen::VectorXd& dead, const SourceLocation& place)
+{
+    if (dead.isZero(0))
+    {
+        printWarningOnce(
+            "The dead load is zero on every block, as where gravity (constant/g) is zero: friction "
+            "has nothing to act on but the live load. Give gravity, or a dead load of another type.",
+            place);
+    }
+}
+
 void setLive(LoadVectors& loads, Load load)
 {
     loads.live = std::move(load.rows);
@@ -141,6 +153,10 @@ CaseLoads<Dim> readLoads(const std::filesystem::path& caseDirectory, const LoadC
     const LoadContext<Dim> with = withCases(context, cases);
     loads.cases = rowsOf(with.cases);
     setDead(loads, cases.dead(with));
+    if (liveLoad == LiveLoad::required)
+    {
+        questionDeadLoad(loads.dead, dictionary.locationOf("dead"));
+    }
     loads.movement = readMovement(dictionary, context.assembly);
     readPositions(dictionary, context.assembly, loads);
     if (!loads.positions.empty())
@@ -184,6 +200,7 @@ readLoadCombinations(const std::filesystem::path& caseDirectory, const LoadConte
         loads.cases = rowsOf(with.cases);
         loads.multiplier = combination.multiplier;
         setDead(loads, combination.dead(with));
+        questionDeadLoad(loads.dead, dictionary.subDict("combinations").subDict(name).locationOf("dead"));
         setLive(loads, combination.live(with));
         if (loads.live.isZero(0))
         {
