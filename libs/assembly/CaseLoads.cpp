@@ -49,17 +49,17 @@ std::optional<SupportMovement<Dim>> readMovement(const Dictionary& loads, const 
                        loads.subDict("live").locationOf("support"));
 }
 
-/// The places of a live load of type moving; none for others.
+/// The places of a live load of type moving, and those that are left out; none for others.
 template<int Dim>
-std::vector<LoadPosition<Dim>> readPositions(const Dictionary& loads, const Assembly<Dim>& assembly)
+void readPositions(const Dictionary& loads, const Assembly<Dim>& assembly, CaseLoads<Dim>& result)
 {
     const auto settings = settingsOfLive<MovingLoadSettings<Dim>>(loads, "moving");
     if (!settings)
     {
-        return {};
+        return;
     }
-    std::vector<LoadPosition<Dim>> positions = movingLoad(assembly, *settings);
-    if (positions.empty())
+    result.positions = movingLoad(assembly, *settings);
+    if (result.positions.empty())
     {
         throw FatalIOError(
             fmt::format("The moving load meets no free block: from nowhere between {} and {} does its force "
@@ -67,7 +67,7 @@ std::vector<LoadPosition<Dim>> readPositions(const Dictionary& loads, const Asse
                         asWritten<Dim>(settings->from), asWritten<Dim>(settings->to)),
             loads.subDict("live").locationOf("from"));
     }
-    return positions;
+    result.placesLeftOut = placesWithoutLoad(result.positions, *settings);
 }
 
 /// The loads that `cases` names, as load vectors.
@@ -86,6 +86,18 @@ void setDead(LoadVectors& loads, Load load)
 {
     loads.dead = std::move(load.rows);
     loads.firstMomentsOfDead = std::move(load.firstMoments);
+}
+
+/// Blocks without weight hold each other by nothing but the live load.
+void questionDeadLoad(const Eigen::VectorXd& dead, const SourceLocation& place)
+{
+    if (dead.isZero(0))
+    {
+        printWarningOnce(
+            "The dead load is zero on every block, as where gravity (constant/g) is zero: friction "
+            "has nothing to act on but the live load. Give gravity, or a dead load of another type.",
+            place);
+    }
 }
 
 void setLive(LoadVectors& loads, Load load)
@@ -141,8 +153,12 @@ CaseLoads<Dim> readLoads(const std::filesystem::path& caseDirectory, const LoadC
     const LoadContext<Dim> with = withCases(context, cases);
     loads.cases = rowsOf(with.cases);
     setDead(loads, cases.dead(with));
+    if (liveLoad == LiveLoad::required)
+    {
+        questionDeadLoad(loads.dead, dictionary.locationOf("dead"));
+    }
     loads.movement = readMovement(dictionary, context.assembly);
-    loads.positions = readPositions(dictionary, context.assembly);
+    readPositions(dictionary, context.assembly, loads);
     if (!loads.positions.empty())
     {
         loads.live = loads.positions.front().live;
@@ -184,6 +200,7 @@ readLoadCombinations(const std::filesystem::path& caseDirectory, const LoadConte
         loads.cases = rowsOf(with.cases);
         loads.multiplier = combination.multiplier;
         setDead(loads, combination.dead(with));
+        questionDeadLoad(loads.dead, dictionary.subDict("combinations").subDict(name).locationOf("dead"));
         setLive(loads, combination.live(with));
         if (loads.live.isZero(0))
         {

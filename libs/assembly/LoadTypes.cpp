@@ -240,10 +240,19 @@ std::vector<Model<LoadMaker<Dim>>> singleLoads()
             }),
         model<LoadMaker<Dim>, InertialSettings<Dim>>(
             "inertial", "each block's own weight, turned into a direction",
-            [](const InertialSettings<Dim>& settings) -> LoadMaker<Dim>
+            [](const InertialSettings<Dim>& settings, const Dictionary& dictionary) -> LoadMaker<Dim>
             {
-                return [direction = settings.direction](const LoadContext<Dim>& context)
-                { return Load{inertialLoad(context.assembly, context.masses, context.gravity, direction)}; };
+                return [direction = settings.direction,
+                        place = dictionary.locationOf("type")](const LoadContext<Dim>& context)
+                {
+                    if (context.gravity.isZero(0))
+                    {
+                        printWarningOnce("Gravity (constant/g) is zero, and so is this load: it is each "
+                                         "block's own weight.",
+                                         place);
+                    }
+                    return Load{inertialLoad(context.assembly, context.masses, context.gravity, direction)};
+                };
             }),
         model<LoadMaker<Dim>, ForceSettings<Dim>>(
             "force", "a force on a block at a point of it, with which it moves; its direction stays",

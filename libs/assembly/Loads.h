@@ -71,7 +71,9 @@ struct CaseLoads : LoadVectors
 {
     std::optional<SupportMovement<Dim>> movement = {}; ///< instead of `live`
     std::vector<LoadPosition<Dim>> positions = {};     ///< of a moving load; `live` is that of the first
-    EntryLocations locations = {};                     ///< of the entries of constant/loads, for messages
+    /// Of a moving load: distances along its path at which no axle meets a free block [m]
+    std::vector<double> placesLeftOut = {};
+    EntryLocations locations = {}; ///< of the entries of constant/loads, for messages
 };
 
 /// Weight of the free blocks. \param masses of all blocks [kg] \param gravity [m/s2]

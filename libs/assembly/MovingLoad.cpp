@@ -320,6 +320,13 @@ std::vector<Ray<Dim>> raysOf(const Assembly<Dim>& assembly, const MovingLoadSett
     return Cutting<Dim>(assembly, axle, choice).rays();
 }
 
+/// Of a place along the path, from its beginning [m].
+template<int Dim>
+double distanceOf(const MovingLoadSettings<Dim>& settings, int place)
+{
+    return place * (settings.to - settings.from).norm() / (settings.positions - 1);
+}
+
 /// The load of the axles at a position, each on one of the blocks that it meets.
 template<int Dim>
 LoadPosition<Dim> loadAt(const Assembly<Dim>& assembly, const MovingLoadSettings<Dim>& settings,
@@ -444,10 +451,9 @@ std::vector<LoadPosition<Dim>> movingLoad(const Assembly<Dim>& assembly,
                                           const MovingLoadSettings<Dim>& settings)
 {
     std::vector<LoadPosition<Dim>> positions;
-    const double length = (settings.to - settings.from).norm();
     for (int i = 0; i < settings.positions; ++i)
     {
-        const double distance = i * length / (settings.positions - 1);
+        const double distance = distanceOf(settings, i);
         LoadPosition<Dim> lowest = loadAt(assembly, settings, distance, Choice::lowest);
         // A load that is spread over both sides of a joint is one load.
         const bool isSpread = settings.spread > 0 || settings.loadedLength > 0 || settings.loadedWidth > 0;
@@ -465,11 +471,36 @@ std::vector<LoadPosition<Dim>> movingLoad(const Assembly<Dim>& assembly,
     return positions;
 }
 
+template<int Dim>
+std::vector<double> placesWithoutLoad(const std::vector<LoadPosition<Dim>>& positions,
+                                      const MovingLoadSettings<Dim>& settings)
+{
+    std::vector<double> without;
+    auto next = positions.begin();
+    for (int i = 0; i < settings.positions; ++i)
+    {
+        const double distance = distanceOf(settings, i);
+        if (next == positions.end() || next->distance != distance)
+        {
+            without.push_back(distance);
+        }
+        while (next != positions.end() && next->distance == distance) // twice at a joint
+        {
+            ++next;
+        }
+    }
+    return without;
+}
+
 template void declare(Options& options, MovingLoadSettings<2>& settings);
 template void declare(Options& options, MovingLoadSettings<3>& settings);
 template std::vector<LoadPosition<2>> movingLoad(const Assembly<2>& assembly,
                                                  const MovingLoadSettings<2>& settings);
 template std::vector<LoadPosition<3>> movingLoad(const Assembly<3>& assembly,
                                                  const MovingLoadSettings<3>& settings);
+template std::vector<double> placesWithoutLoad(const std::vector<LoadPosition<2>>& positions,
+                                               const MovingLoadSettings<2>& settings);
+template std::vector<double> placesWithoutLoad(const std::vector<LoadPosition<3>>& positions,
+                                               const MovingLoadSettings<3>& settings);
 
 } // namespace drystone

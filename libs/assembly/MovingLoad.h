@@ -68,4 +68,10 @@ template<int Dim>
 std::vector<LoadPosition<Dim>> movingLoad(const Assembly<Dim>& assembly,
                                           const MovingLoadSettings<Dim>& settings);
 
+/// The places that were left out, by their distances along the path, ascending [m]. \param positions what
+/// movingLoad returned
+template<int Dim>
+std::vector<double> placesWithoutLoad(const std::vector<LoadPosition<Dim>>& positions,
+                                      const MovingLoadSettings<Dim>& settings);
+
 } // namespace drystone

@@ -302,6 +302,17 @@ CheckResult checkTouches(const Assembly<Dim>& assembly, const Findings<Dim>& fin
                 break; // once for a pair
             }
         }
+        // Else they meet so across a crossing of joints.
+        if (isLoose[first] != isLoose[second])
+        {
+            for (const Vector<Dim>& place :
+                 commonCorners(assembly.blocks[first], assembly.blocks[second], tolerance))
+            {
+                addFault(result, fmt::format("{} and {} touch at {}, corner to corner, without a joint",
+                                             blockName(assembly, first), blockName(assembly, second),
+                                             placeText<Dim>(place)));
+            }
+        }
     }
     result.message = fmt::format("{} without a joint: {}",
                                  Dim == 2 ? "Corners that touch an edge"

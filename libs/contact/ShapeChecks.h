@@ -124,6 +124,11 @@ double jointSize(std::span<const ContactPoint<3>> points);
 std::vector<Vector<2>> loneTouches(const Block<2>& one, const Block<2>& other, double tolerance);
 std::vector<Vector<3>> loneTouches(const Block<3>& one, const Block<3>& other, double tolerance);
 
+/// Where corners of both blocks are together in the plane, as those of bricks on either side of a crossing of
+/// joints, or of a block that stands on the corner of another [m]; in space loneTouches has such places.
+std::vector<Vector<2>> commonCorners(const Block<2>& one, const Block<2>& other, double tolerance);
+std::vector<Vector<3>> commonCorners(const Block<3>& one, const Block<3>& other, double tolerance);
+
 /// Whether two blocks that touch without a joint do so where edges of both meet, as bricks of a bond meet
 /// those diagonally above them, and nowhere within a face, as a block that stands on its edge. In the plane
 /// never: loneTouches leaves corners that meet corners out.

@@ -5,6 +5,7 @@
 #include "core/WholeFile.h"
 #include "dictionary/Dictionary.h"
 #include "dictionary/DictionaryGrammar.h"
+#include "dictionary/DictionaryScanner.h"
 #include "dictionary/GivenEntry.h"
 
 #include <algorithm>
@@ -259,9 +260,10 @@ std::string replaced(const std::string& text, const Statement& statement, const 
 
 } // namespace
 
-std::string withEntrySet(const std::string& text, const std::filesystem::path& file, std::string_view path,
+std::string withEntrySet(const std::string& given, const std::filesystem::path& file, std::string_view path,
                          std::string_view value)
 {
+    const std::string text = withLineFeeds(given);
     const Edited edited(text, file);
     const std::vector<std::string> keywords = keywordsOf(path);
     if (keywords.empty())
@@ -321,9 +323,10 @@ std::string withEntrySet(const std::string& text, const std::filesystem::path& f
     return result.insert(closing, linesAsIn(text, added));
 }
 
-std::string withEntryRemoved(const std::string& text, const std::filesystem::path& file,
+std::string withEntryRemoved(const std::string& given, const std::filesystem::path& file,
                              std::string_view path)
 {
+    const std::string text = withLineFeeds(given);
     const Edited edited(text, file);
     const std::vector<std::string> keywords = keywordsOf(path);
     if (keywords.empty())
@@ -433,7 +436,7 @@ void editFile(const std::filesystem::path& file, std::string_view givenPath, Ent
         return;
     }
     std::ifstream stream(file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::string text = withLineFeeds({std::istreambuf_iterator<char>(stream), {}});
     // A link stays one: what it leads to may be shared by several cases.
     const std::filesystem::path target = std::filesystem::canonical(file);
     if (edit == EntryEdit::remove)

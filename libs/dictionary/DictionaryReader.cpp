@@ -4,6 +4,7 @@
 
 #include "dictionary/DictionaryGrammar.h"
 #include "dictionary/DictionaryPattern.h"
+#include "dictionary/DictionaryScanner.h"
 #include "dictionary/FilesInMemory.h"
 #include "dictionary/IncludedFiles.h"
 #include "dictionary/MacroExpansion.h"
@@ -80,7 +81,7 @@ public:
 
     Dictionary readText(std::string_view text, const std::string& name)
     {
-        reading.source->files.push_back({name, std::string(text)});
+        reading.source->files.push_back({name, withLineFeeds(std::string(text))});
         reading.openFiles.emplace_back(name);
         return readRoot(reading.source->files.back());
     }

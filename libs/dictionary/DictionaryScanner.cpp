@@ -62,6 +62,21 @@ std::size_t macroLength(const char* begin, const char* end)
 
 } // namespace
 
+std::string withLineFeeds(std::string text)
+{
+    const auto isBinary = [](char c)
+    {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte < 0x20 && !isSpace(c);
+    };
+    const bool isOld = text.find('\n') == std::string::npos && text.find('\r') != std::string::npos;
+    if (isOld && std::none_of(text.begin(), text.end(), isBinary))
+    {
+        std::replace(text.begin(), text.end(), '\r', '\n');
+    }
+    return text;
+}
+
 bool isSpace(char c)
 {
     return c == ' ' || (c >= '\t' && c <= '\r');

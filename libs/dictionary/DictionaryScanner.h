@@ -4,12 +4,17 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 namespace drystone
 {
 
 /// A word may be this long; whatever is longer is not a dictionary.
 inline constexpr std::size_t longestWord = 4096;
+
+/// A text whose lines end with CR alone, as those of an old Macintosh, with LF in its place: a comment would
+/// go on to the end of the file. Others as they are.
+std::string withLineFeeds(std::string text);
 
 bool isSpace(char c);
 bool isDigit(char c);

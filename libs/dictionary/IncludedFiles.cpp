@@ -3,6 +3,7 @@
 #include "dictionary/IncludedFiles.h"
 
 #include "core/WholeFile.h"
+#include "dictionary/DictionaryScanner.h"
 #include "dictionary/FilesInMemory.h"
 #include "dictionary/MacroExpansion.h"
 
@@ -155,7 +156,8 @@ const SourceFile& load(DictionaryReading& reading, const std::filesystem::path& 
     {
         throw FatalIOError(fmt::format("More than {} files are included.", mostFiles), whence);
     }
-    reading.source->files.push_back({path.lexically_normal().string(), contentOf(path, whence)});
+    reading.source->files.push_back(
+        {path.lexically_normal().string(), withLineFeeds(contentOf(path, whence))});
     return reading.source->files.back();
 }
 

@@ -2,11 +2,14 @@
 /// Laws of contact points, joint by joint.
 #include "effects/JointLaws.h"
 
+#include "dictionary/DictionaryPattern.h"
 #include "effects/EffectList.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace drystone
@@ -99,6 +102,63 @@ bool areOneName(const std::vector<std::string>& names, const std::string& one, c
            && names[static_cast<std::size_t>(at - names.begin()) ^ 1] == other;
 }
 
+/// The first alternative of a pattern that is no name, as of 3-7|base-shfat, or of (base|shfat)-ground with
+/// the names of the blocks on either side; empty where there is none.
+std::string alternativeWithoutJoint(const std::string& pattern, const std::vector<std::string>& names,
+                                    const std::vector<std::string>& sides)
+{
+    std::string mistyped = alternativeWithoutName(pattern, names);
+    for (std::size_t begin = pattern.find('('); mistyped.empty() && begin != std::string::npos;
+         begin = pattern.find('(', begin + 1))
+    {
+        const std::size_t end = pattern.find_first_of("()", begin + 1);
+        if (end != std::string::npos && pattern[end] == ')')
+        {
+            mistyped = alternativeWithoutName(pattern.substr(begin + 1, end - begin - 1), sides);
+        }
+    }
+    return mistyped;
+}
+
+/// Warns of a name within a pattern that no joint has: it matches nothing while the others do.
+/// \param names of all joints \param sides of supports, zones and blocks
+void questionAlternatives(const ContactProperties& properties, const std::vector<std::string>& names,
+                          const std::vector<std::string>& sides)
+{
+    for (const auto& [pattern, joint] : properties.joints)
+    {
+        const std::string mistyped = alternativeWithoutJoint(pattern.text, names, sides);
+        if (mistyped.empty())
+        {
+            continue;
+        }
+        const std::string nearest =
+            nearestWord(mistyped, mistyped.find('-') == std::string::npos ? sides : names);
+        printWarningOnce(fmt::format("In the pattern {}: there is no joint {}.{}", pattern.text, mistyped,
+                                     nearest.empty() ? "" : fmt::format(" Did you mean {}?", nearest)),
+                         properties.locations.of("joints/" + pattern.text));
+    }
+}
+
+template<int Dim>
+std::vector<std::string> sidesOfJoints(const Assembly<Dim>& assembly)
+{
+    std::vector<std::string> sides;
+    for (const Support& support : assembly.supports)
+    {
+        sides.push_back(support.name);
+    }
+    for (const Zone& zone : assembly.zones)
+    {
+        sides.push_back(zone.name);
+    }
+    for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
+    {
+        sides.push_back(std::to_string(block));
+    }
+    return sides;
+}
+
 /// The entry that a joint takes: the one that names it most closely.
 /// \throws FatalIOError where two entries are one name in either order: neither is the last by intention
 const NamedJoint* entryOf(const ContactProperties& properties, const JointNames& names,
@@ -179,16 +239,24 @@ std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly
     const std::vector<JointLaw> effects = lawsOfEffects();
     std::vector<PointLaw> laws(points.size());
     std::vector<char> isMatched(contact.joints.size(), false);
+    const bool hasAlternatives =
+        std::any_of(contact.joints.begin(), contact.joints.end(),
+                    [](const NamedJoint& joint) { return joint.first.text.find('|') != std::string::npos; });
+    std::set<std::string> allNames;
     const JointProperties none;
     const std::vector<std::vector<std::string>> zones = zonesOfBlocks(assembly);
     for (std::size_t first = 0, last = 0; first < points.size(); first = last)
     {
         const ContactPoint<Dim>& point = points[first];
         const std::string name = jointName(assembly, point.block, point.neighbour);
-        const NamedJoint* entry =
-            contact.joints.empty()
-                ? nullptr
-                : entryOf(contact, jointNames(assembly, zones, point.block, point.neighbour), isMatched);
+        const JointNames names =
+            contact.joints.empty() ? JointNames() : jointNames(assembly, zones, point.block, point.neighbour);
+        if (hasAlternatives)
+        {
+            allNames.insert(names.own.begin(), names.own.end());
+            allNames.insert(names.ofZones.begin(), names.ofZones.end());
+        }
+        const NamedJoint* entry = contact.joints.empty() ? nullptr : entryOf(contact, names, isMatched);
         const JointOfCase joint{contact, entry ? entry->second : none, name, entry ? entry->first.text : ""};
         for (; last < points.size() && points[last].joint == point.joint; ++last)
         {
@@ -212,6 +280,10 @@ std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly
                                                : jointName(assembly, points[0].block, points[0].neighbour)),
                                contact.locations.of("joints/" + name));
         }
+    }
+    if (hasAlternatives)
+    {
+        questionAlternatives(contact, {allNames.begin(), allNames.end()}, sidesOfJoints(assembly));
     }
     return laws;
 }

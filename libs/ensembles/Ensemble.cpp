@@ -7,8 +7,8 @@
 #include "ensembles/CaseRuns.h"
 #include "ensembles/SamplesInProcess.h"
 #include "ensembles/StudyInput.h"
+#include "ensembles/WrittenTables.h"
 #include "functionObjects/ColumnFile.h"
-#include "quantities/LimitAnalysisFigures.h"
 #include "quantities/TableLine.h"
 #include "runControl/Case.h"
 
@@ -103,21 +103,6 @@ void requireScripts(const Ensemble& ensemble, const fs::path& caseDirectory)
     }
 }
 
-/// Refuses a table that limitAnalysis does not write.
-void requireTableOfCollapse(const std::filesystem::path& table, const SourceLocation& place)
-{
-    const std::vector<std::string> written{"limitAnalysis", "thrust",    "combinations", "coulomb",
-                                           "movingLoad",    "loadCases", "capacity"};
-    const std::string name = table.stem().string();
-    const bool isOurs = std::any_of(written.begin(), written.end(),
-                                    [&](const std::string& one) { return name.starts_with(one); });
-    if (table.parent_path() == std::filesystem::path(limitAnalysisTableName).parent_path()
-        && !(isOurs && table.extension() == ".dat"))
-    {
-        throw FatalIOError(unknownWordMessage("limitAnalysis table", name, written), place);
-    }
-}
-
 /// Refuses results that the applications do not have.
 void requireResults(const Ensemble& ensemble)
 {
@@ -137,28 +122,50 @@ void requireResults(const Ensemble& ensemble)
         const bool hasScripts =
             std::any_of(ensemble.settings.applications.begin(), ensemble.settings.applications.end(),
                         [](const std::string& word) { return word.find('/') != word.npos; });
-        if (figure.table && ensemble.settings.runs("limitAnalysis") && !hasScripts)
+        if (figure.table)
         {
-            requireTableOfCollapse(figure.table->table,
-                                   ensemble.dictionary.subDict("results").subDict(name).locationOf("table"));
+            requireTable(*figure.table, ensemble.caseDirectory, {"", ensemble.settings.applications},
+                         ensemble.dictionary.subDict("results").subDict(name));
         }
-        if (figure.ofCollapse && ensemble.settings.runs("limitAnalysis"))
-        {
-            const std::vector<std::string_view> headings = limitAnalysisHeadings();
-            const std::string& wanted = *figure.ofCollapse;
-            if (!findColumn(headings, wanted))
-            {
-                throw FatalIOError(fmt::format("{} has no column {}.\n\nIts columns: {}",
-                                               limitAnalysisTableName, wanted, fmt::join(headings, " ")),
-                                   ensemble.dictionary.subDict("results").subDict(name).locationOf("column"));
-            }
-        }
-        else if (figure.ofCollapse && !ensemble.settings.runs("parameterSearch") && !hasScripts)
+        if (figure.ofCollapse && !ensemble.settings.runs("limitAnalysis")
+            && !ensemble.settings.runs("parameterSearch") && !hasScripts)
         {
             throw FatalIOError(fmt::format("The result {} is one of limitAnalysis, which is not among the "
                                            "applications.",
                                            name),
                                place);
+        }
+    }
+}
+
+/// Refuses files that samples may draw and that are not there, as records of earthquakes: most samples would
+/// run before one of them is missed. Scripts may yet make them.
+void requireFiles(const Ensemble& ensemble)
+{
+    const std::vector<std::string>& applications = ensemble.settings.applications;
+    if (std::any_of(applications.begin(), applications.end(), isScript))
+    {
+        return;
+    }
+    for (const auto& [name, variable] : ensemble.settings.variables)
+    {
+        if (!variable.distribution || fs::path(variable.place.entry).filename() != "file")
+        {
+            continue;
+        }
+        for (const SampleValue& choice : variable.distribution->choices)
+        {
+            std::string file = choice.text;
+            std::erase(file, '"');
+            std::error_code unknown;
+            if (!fs::exists(ensemble.caseDirectory / file, unknown))
+            {
+                throw FatalIOError(
+                    fmt::format("There is no file {}, which samples may draw.\n\nCheck the "
+                                "name: it is relative to the case directory.",
+                                file),
+                    ensemble.dictionary.subDict("variables").subDict(name).locationOf("distribution"));
+            }
         }
     }
 }
@@ -272,6 +279,7 @@ Ensemble readEnsemble(const fs::path& caseDirectory, const std::vector<std::stri
     ensemble.areAlike = haveSameBlocks(ensemble) && isCaseForLanes(ensemble);
     requireScripts(ensemble, caseDirectory);
     requireResults(ensemble);
+    requireFiles(ensemble);
     std::vector<std::string> names;
     for (const auto& [name, variable] : ensemble.settings.variables)
     {

@@ -9,6 +9,7 @@
 #include "ensembles/SearchPicture.h"
 #include "ensembles/StudyHistory.h"
 #include "ensembles/StudyInput.h"
+#include "ensembles/WrittenTables.h"
 #include "functionObjects/ColumnFile.h"
 #include "functionObjects/KeptResults.h"
 #include "runControl/Case.h"
@@ -130,8 +131,12 @@ ParameterSearch readParameterSearch(const fs::path& caseDirectory, const Command
         search.start.push_back(
             variable.start.value_or(std::clamp(value, variable.bounds[0], variable.bounds[1])));
     }
-    search.caseInput = historyInput(inputOfStudy(
-        caseDirectory, {"system/parameterSearchDict", search.settings.applications, search.settings.cases}));
+    const StudyRuns runs{"system/parameterSearchDict", search.settings.applications, search.settings.cases};
+    for (const auto& [name, result] : search.settings.results)
+    {
+        requireTable(result.figure, caseDirectory, runs, search.dictionary.subDict("results").subDict(name));
+    }
+    search.caseInput = historyInput(inputOfStudy(caseDirectory, runs));
     if (commandLine.noFunctionObjects)
     {
         search.options.emplace_back("-noFunctionObjects");

@@ -150,6 +150,49 @@ std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<Dim>& structure, const
     return places;
 }
 
+namespace
+{
+
+/// `0 to 0.3, 3.7 to 4`: neighbours along the path are put together. \param spacing of its places [m]
+std::string rangesText(const std::vector<double>& distances, double spacing)
+{
+    std::vector<std::string> ranges;
+    for (std::size_t i = 0; i < distances.size();)
+    {
+        std::size_t last = i;
+        while (last + 1 < distances.size() && distances[last + 1] - distances[last] < 1.5 * spacing)
+        {
+            ++last;
+        }
+        ranges.push_back(i == last ? fmt::format("{:.6g}", distances[i])
+                                   : fmt::format("{:.6g} to {:.6g}", distances[i], distances[last]));
+        i = last + 1;
+    }
+    return fmt::format("{}", fmt::join(ranges, ", "));
+}
+
+/// The path may be longer than the structure, and may be so by mistake.
+template<int Dim>
+void printPlacesLeftOut(const CaseLoads<Dim>& loads)
+{
+    if (loads.placesLeftOut.empty())
+    {
+        return;
+    }
+    std::vector<double> all = loads.placesLeftOut;
+    for (const LoadPosition<Dim>& position : loads.positions)
+    {
+        all.push_back(position.distance);
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    info("Places left out, where no axle meets a block that can move: {} of {}, {} m along the path ({})",
+         loads.placesLeftOut.size(), all.size(), rangesText(loads.placesLeftOut, all[1] - all[0]),
+         describe(loads.locations.of("live/from")));
+}
+
+} // namespace
+
 template<int Dim>
 void printEnvelope(const LimitAnalysisCase<Dim>& structure)
 {
@@ -164,6 +207,7 @@ void printEnvelope(const LimitAnalysisCase<Dim>& structure)
                                        [](const EnvelopePoint& point) { return std::isinf(point.alpha); });
     info("Moving load: {} places{}", points.size(),
          carried > 0 ? fmt::format(", at {} of them no load makes the structure collapse", carried) : "");
+    printPlacesLeftOut(structure.loads);
     std::vector<int> blocks = position.blocks; // two axles may spread over the same
     std::sort(blocks.begin(), blocks.end());
     blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());

@@ -104,6 +104,7 @@ TimeState timeOf(const State& saved)
     time.given = kept("deltaTGiven");
     time.stepLength = kept("stepLength");
     time.writeTimes = saved.scalars.contains("timeWrites") ? countOf(saved, "timeWrites") : 0;
+    time.unfinished = saved.scalars.contains("timeUnfinished") ? countOf(saved, "timeUnfinished") : 0;
     return time;
 }
 
@@ -248,6 +249,7 @@ State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Ti
                      {"deltaTWanted", now.wanted},
                      {"deltaTGiven", now.given},
                      {"timeWrites", static_cast<double>(now.writeTimes)},
+                     {"timeUnfinished", static_cast<double>(now.unfinished)},
                      {"stepLength", now.stepLength}};
     visitResiduals(motion.residuals,
                    [&](const char* name, auto value) { state.scalars[name] = static_cast<double>(value); });

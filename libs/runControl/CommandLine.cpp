@@ -27,7 +27,9 @@ std::vector<CommandLineOption> allOptions(const ApplicationDescription& descript
     if (description.kind == ApplicationKind::solver)
     {
         options.push_back({"dry-run", "", "read and check everything, run nothing"});
-        options.push_back({"postProcess", "", "run the function objects on the results that are there"});
+        options.push_back({"postProcess", "",
+                           description.postProcess.empty() ? "refused: tables are written as it runs"
+                                                           : description.postProcess});
     }
     options.push_back({"case", "DIR", "the case directory (default: here)"});
     options.push_back({"noFunctionObjects", "", "leave the functions of controlDict out"});

@@ -55,6 +55,8 @@ struct ApplicationDescription
     std::vector<CommandLineOption> options; ///< its own
     /// What `-parallel` is for, half a line; empty where it is refused.
     std::string parallel;
+    /// What `-postProcess` of a solver is for, half a line; empty where it is refused.
+    std::string postProcess = "run the function objects on the results that are there";
     /// Options of its own with which several processes may be at work in one case, as with `-parallel`.
     std::vector<std::string> sharing;
     /// The arguments without a dash, all required, in their order; `name` is in capitals, `argument` unused.

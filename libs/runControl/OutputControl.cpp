@@ -54,7 +54,7 @@ double OutputControl::intervalsPassed(const TimePoint& now) const
     switch (settings.writeControl)
     {
     case WriteControl::timeStep:
-        return count(static_cast<double>(now.index));
+        return count(static_cast<double>(now.index - now.unfinished));
     case WriteControl::writeTime:
         return count(static_cast<double>(now.writeTimes));
     // Half a step early, so that rounding does not put the write off by a step.

@@ -16,7 +16,7 @@ namespace drystone
 enum class WriteControl
 {
     none,              ///< never
-    timeStep,          ///< steps
+    timeStep,          ///< steps of deltaT, in how many parts each may be made
     runTime,           ///< seconds of simulated time; writes at the first step that reaches the instant
     adjustableRunTime, ///< the same, and adjustTimeStep makes steps end on the instants
     cpuTime,           ///< seconds of CPU time
@@ -50,12 +50,15 @@ struct TimePoint
 {
     double value = 0;    ///< simulated time [s]
     double deltaT = 0;   ///< of the step that led here [s]
-    long index = 0;      ///< number of steps since time 0
+    long index = 0;      ///< number of steps since time 0, parts of steps counted as steps
     long writeTimes = 0; ///< at which the run has written its state by now, this one too
     /// [s]; absent: as they are when they are asked for, since few outputs do and reading them costs a call
     /// of the system.
     std::optional<double> cpuTime = {};
     std::optional<double> clockTime = {};
+    /// How many of the steps were no ends of steps that were asked for: all but the last of the parts that
+    /// one is made in where it cannot be solved as a whole.
+    long unfinished = 0;
     bool endsOnInstants = false; ///< with adjustTimeStep: steps end on instants to write at
 };
 

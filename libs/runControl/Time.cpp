@@ -116,6 +116,7 @@ void Time::resume(const TimeState& saved)
     detourEnd = saved.detourEnd;
     stepToStart = saved.stepLength;
     writeTimes = saved.writeTimes;
+    unfinished = saved.unfinished - (detourEnd > now ? 1 : 0);
     const bool isGivenAnew =
         settings.adjustTimeStep ? saved.given > 0 && saved.given != settings.deltaT : step != settings.deltaT;
     if (isGivenAnew)
@@ -210,6 +211,7 @@ bool Time::loop()
 
     beforeStep = state();
     lastStepBefore = lastStep;
+    unfinished = unfinishedUpToHere();
     ++count;
     ++stepsDone;
     if (detourEnd > now)
@@ -281,6 +283,7 @@ TimePoint Time::point()
 TimePoint Time::pointAfter(double length) const
 {
     TimePoint point{now, length, count, writeTimes};
+    point.unfinished = unfinishedUpToHere();
     point.endsOnInstants = settings.adjustTimeStep;
     return point;
 }
@@ -350,6 +353,7 @@ void Time::abandonStep()
     origin = beforeStep.origin;
     originIndex = beforeStep.originIndex;
     detourEnd = beforeStep.detourEnd;
+    unfinished = beforeStep.unfinished - (detourEnd > now ? 1 : 0);
     lastStep = lastStepBefore;
     write = Write::undecided;
 }

@@ -37,6 +37,7 @@ struct TimeState
     double given = 0;     ///< deltaT of controlDict, 0: not known [s]
     double stepLength = 0; ///< of the step that led here; 0 where the motion begins [s]
     long writeTimes = 0;   ///< at which the state was due, this one too
+    long unfinished = 0;   ///< see TimePoint
 };
 
 /// What takes its time from a case.
@@ -81,7 +82,7 @@ public:
     TimeState state() const
     {
         return {now,       step,   count,           origin,         originIndex, detourEnd,
-                beginning, wanted, settings.deltaT, lengthToHere(), writeTimes};
+                beginning, wanted, settings.deltaT, lengthToHere(), writeTimes,  unfinishedUpToHere()};
     }
     /// Name of the directory of the time at which the motion began.
     std::string beginningName() const { return nameOf(beginning); }
@@ -132,6 +133,8 @@ private:
     void startOutput();
     /// Of the step that led to the present time, in this run or the one that it continues [s].
     double lengthToHere() const { return lastStep > 0 ? lastStep : stepToStart; }
+    /// See TimePoint: with the current step, where it is such a one.
+    long unfinishedUpToHere() const { return unfinished + (detourEnd > now ? 1 : 0); }
     /// The present time, to which a step of this length led [s].
     TimePoint pointAfter(double length) const;
     void sharpenName();
@@ -156,6 +159,7 @@ private:
     double stepToStart = 0; ///< of the step that led to where a run continues; 0 where a motion begins [s]
     long writeTimes = 0;    ///< see TimeState
     long count = 0;
+    long unfinished = 0; ///< before the current step, see TimePoint
     double origin = 0;
     long originIndex = 0;
     double detourEnd = 0; ///< see TimeState

@@ -80,6 +80,16 @@ Model<Texture<Dim>> fileModel(std::string name, std::string summary)
                                          });
 }
 
+Texture<2> readPhotograph(const Photograph& photograph, const Dictionary& dictionary)
+{
+    Texture<2> texture;
+    texture.readBlocks =
+        [photograph, file = dictionary.locationOf("file"),
+         points = dictionary.locationOf("points")](const std::filesystem::path& caseDirectory)
+    { return makeAssembly(photograph, caseDirectory, file, points); };
+    return texture;
+}
+
 } // namespace
 
 template<>
@@ -107,7 +117,7 @@ const Registry<Texture<2>>& textureTypes()
             model<Texture<2>, PlaneRubble>("rubble", "irregular stones, the Voronoi cells of seeded points",
                                            planeRubble),
             fileModel<2, Import<2>>("import", "blocks of a drawing that another program made"),
-            fileModel<2, Photograph>("image", "stones of a photograph"),
+            model<Texture<2>, Photograph>("image", "stones of a photograph", readPhotograph),
         }};
     return registry;
 }
@@ -237,6 +247,13 @@ void refuseTextureOfSpace(const Dictionary& dictionary)
     };
     if (isOneOf(textureTypes<3>()) && !isOneOf(textureTypes<2>()))
     {
+        for (const Entry& entry : dictionary.entries())
+        {
+            if (!nearestWord(entry.keyword(), {"dimensions"}).empty()) // it is there, and mistyped
+            {
+                readOptions<BlockTexture<3>>(dictionary);
+            }
+        }
         throw FatalIOError(
             fmt::format("The texture {} is one of space: write `dimensions 3;`, or choose another.",
                         type->as<std::string>()),

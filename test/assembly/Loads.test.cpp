@@ -1,8 +1,11 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Load vectors against hand calculations.
 #include "assembly/TurnedLoad.h"
+#include "core/WholeFile.h"
 #include "geometry/Rotation.h"
 
+#include <filesystem>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 using namespace drystone;
@@ -61,6 +64,33 @@ TEST(Loads, InertialLoadIsTheOwnWeightWhateverTheLengthOfTheDirection)
         EXPECT_NEAR(load(3), 30, 1e-13);
         EXPECT_EQ(load(1), 0);
     }
+}
+
+TEST(Loads, WithoutGravityAreQuestioned)
+{
+    const std::filesystem::path directory = std::filesystem::path(testing::TempDir()) / "loadsWithoutGravity";
+    std::filesystem::create_directories(directory / "constant");
+    const Assembly<2> assembly = twoOnGround();
+    const std::vector<double> masses{7, 2, 3};
+    const auto warnings = [&](const Vector<2>& gravity, LiveLoad live)
+    {
+        writeWholeFile(
+            directory / "constant/loads",
+            "dead { type gravity; }\ncases { own { type inertial; direction (1 0); } push { type force; "
+            "at (0.5 1); value (1 0); } }\nlive { type combined; terms ((1 own) (1 push)); }\n");
+        testing::internal::CaptureStderr();
+        readLoads<2>(directory, {assembly, masses, gravity}, live);
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_EQ(warnings({0, -10}, LiveLoad::required), "");
+    const std::string ofMotion = warnings({0, 0}, LiveLoad::optional);
+    EXPECT_THAT(ofMotion, testing::HasSubstr("zero, and so is this load"));
+    EXPECT_THAT(ofMotion, testing::HasSubstr("at line 2"));
+    EXPECT_THAT(ofMotion, testing::Not(testing::HasSubstr("dead load")));
+    const std::string ofRest = warnings({0, 0}, LiveLoad::required);
+    EXPECT_THAT(ofRest, testing::HasSubstr("The dead load is zero on every block"));
+    EXPECT_THAT(ofRest, testing::HasSubstr("loads/dead at line 1"));
+    std::filesystem::remove_all(directory);
 }
 
 TEST(Loads, AForceHasItsMomentAboutTheCentroid)

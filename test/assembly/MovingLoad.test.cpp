@@ -53,6 +53,17 @@ TEST(MovingLoad, ActsOnTheFirstBlockBelowThePath)
     EXPECT_THAT(positions[4].blocks, ElementsAre(2));
 }
 
+TEST(MovingLoad, NamesThePlacesThatAreLeftOut)
+{
+    const MovingLoadSettings<2> settings = overSteps();
+    EXPECT_THAT(placesWithoutLoad(movingLoad(steps(), settings), settings), ElementsAre(0.0, 3.0));
+    Assembly<2> gap = steps();
+    gap.blocks[2].outline = rectangle(1.2, 0, 2, 1); // the gap, and beside both blocks
+    EXPECT_THAT(placesWithoutLoad(movingLoad(gap, settings), settings), ElementsAre(0.0, 3.0));
+    gap.blocks[2].outline = rectangle(1.7, 0, 2.2, 1);
+    EXPECT_THAT(placesWithoutLoad(movingLoad(gap, settings), settings), ElementsAre(0.0, 2.0, 3.0));
+}
+
 TEST(MovingLoad, ComesTwiceWhereItMeetsAJoint)
 {
     Assembly<2> level = steps();

@@ -167,6 +167,18 @@ TEST(AssemblyChecks, ABlockOnItsCornerFailsCornerTouchesOfAllChecks)
     EXPECT_THAT(failed(assembly, CheckExtent::all), ElementsAre("supports", "cornerTouches"));
 }
 
+TEST(AssemblyChecks, ABlockOnTheCornerOfAnotherFailsCornerTouchesOfAllChecks)
+{
+    const Assembly<2> assembly = onGround({rectangle(0, 0, 1, 1), {{1, 1}, {2, 2}, {1, 3}, {0, 2}}});
+    EXPECT_THAT(failed(assembly, CheckExtent::all), ElementsAre("supports", "cornerTouches"));
+    EXPECT_THAT(printedReport(assembly, checkAssembly(assembly, CheckExtent::all)),
+                HasSubstr("touch at (1 1), corner to corner"));
+    // Across a crossing of joints all stand.
+    const Assembly<2> stack = onGround(
+        {rectangle(0, 0, 1, 1), rectangle(1, 0, 2, 1), rectangle(0, 1, 1, 2), rectangle(1, 1, 2, 2)});
+    EXPECT_THAT(failed(stack, CheckExtent::all), IsEmpty());
+}
+
 TEST(AssemblyChecks, TheUnitOfLengthDoesNotMatter)
 {
     for (const double unit : {1e-6, 1.0, 1e6})

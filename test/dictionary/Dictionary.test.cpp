@@ -508,6 +508,10 @@ TEST(Dictionary, EmptyTextsAndCommentsAreEmptyDictionaries)
                                    "b 2;\n\xEF\xBB\xBF";
     EXPECT_EQ(Dictionary::readString(ofTwoFiles).keywords(), (std::vector<std::string>{"a", "b"}));
     EXPECT_EQ(Dictionary::readString("a 1;\r\nb 2;\r\n").get<int>("b"), 2);
+    // An old Macintosh: comments end, and lines count.
+    const Dictionary old = Dictionary::readString("a 1; // one\rb 2;\r");
+    EXPECT_EQ(old.get<int>("b"), 2);
+    EXPECT_EQ(old.locationOf("b").line, 2);
 }
 
 TEST(NearestWord, IsTheLikelyOneOrNone)

@@ -184,6 +184,7 @@ TEST(DictionaryEdit, ACommentThatWouldHideWhatFollowsIsRefused)
 
 TEST(DictionaryEdit, LinesEndAsThoseOfTheFile)
 {
+    EXPECT_EQ(withEntrySet("a 1; // one\rb { c 2; }\r", "file", "b/c", "3"), "a 1; // one\nb { c 3; }\n");
     const std::string windows = "a 1;\r\nb\r\n{\r\n    c 2;\r\n}\r\n";
     EXPECT_EQ(withEntrySet(windows, "file", "b/d", "3"),
               "a 1;\r\nb\r\n{\r\n    c 2;\r\n    d               3;\r\n}\r\n");

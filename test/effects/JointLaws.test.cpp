@@ -106,6 +106,25 @@ TEST_F(JointLaws, OfExactNamesComeBeforeTheLastPattern)
     EXPECT_EQ(of[2].cohesion, 0);
 }
 
+TEST_F(JointLaws, WarnOfANameWithinAPatternThatNoJointHas)
+{
+    const auto warnings = [&](const std::string& pattern)
+    {
+        testing::internal::CaptureStderr();
+        laws("friction { type Coulomb; mu 0.5; }\njoints\n{\n\"" + pattern
+             + "\" { friction { mu 0.2; } }\n}");
+        return testing::internal::GetCapturedStderr();
+    };
+    assembly.zones = {{"shaft", {0}}, {"base", {1}}};
+    EXPECT_EQ(warnings("0-1|0-ground"), "");
+    EXPECT_EQ(warnings("(shaft|base)-ground"), "");
+    EXPECT_EQ(warnings("(shaft|base)-.*|7-.*"), "") << "not of names alone";
+    EXPECT_THAT(warnings("0-1|shatf-ground"),
+                testing::AllOf(testing::HasSubstr("no joint shatf-ground. Did you mean shaft-ground?"),
+                               testing::HasSubstr("at line 4")));
+    EXPECT_THAT(warnings("(shaft|bsae)-ground"), testing::HasSubstr("no joint bsae. Did you mean base?"));
+}
+
 TEST_F(JointLaws, AreNamedByTheirBlocksInEitherOrder)
 {
     const auto of = laws("friction { type Coulomb; mu 0.5; }\njoints\n{\n1-0 { friction { mu 0.1; } }\n"

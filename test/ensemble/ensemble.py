@@ -254,6 +254,34 @@ class Ensemble(CaseTest):
             done = self.run_(case, "-dry-run", status=status)
             self.assertEqual("ensembleDict" in done.stderr, status == 1, done.stderr)
 
+    def testTablesThatNothingWritesAreRefusedAtOnce(self):
+        case = self.case("tables", applications="blockTexture contactDynamics", samples=4, statistics="")
+        self.edit(case, "system/ensembleDict", "limitAnalysis/0/limitAnalysis.dat", "enrgy/0/energy.dat")
+        for options in (("-dry-run",), ()):
+            done = self.run_(case, *options, status=1)
+            self.assertIn("postProcessing/enrgy", done.stderr)
+            self.assertRegex(done.stderr, r"ensembleDict\S*/table at line")
+        controlDict = os.path.join(case, "system/controlDict")
+        with open(controlDict, "a", encoding="utf-8") as file:
+            file.write("functions { energy { } }\n")
+        self.assertIn("Did you mean energy?", self.run_(case, status=1).stderr)
+
+    def testRecordsThatAreNotThereAreRefusedAtOnce(self):
+        case = self.case("records", applications="blockTexture contactDynamics", samples=9, statistics="")
+        self.edit(case, "system/ensembleDict", 'results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; '
+                  "column alpha; } }", "results { top { type displacement; block 1; } }")
+        self.edit(case, "system/ensembleDict", "variables\n{", "variables\n{\n"
+                  '    record { file "constant/groundMotion"; entry "horizontal/file";\n'
+                  '             distribution { type list; values ("constant/a.csv" "constant/b.csv" "constant/c.csv"); } }')
+        with open(os.path.join(case, "constant/groundMotion"), "w", encoding="utf-8") as file:
+            file.write('horizontal { type record; file "constant/a.csv"; unit "m/s2"; }\n')
+        for name in "ac":
+            with open(os.path.join(case, "constant/%s.csv" % name), "w", encoding="utf-8") as file:
+                file.write("0,0\n0.01,1\n0.02,0\n")
+        done = self.run_(case, status=1)
+        self.assertIn("There is no file constant/b.csv", done.stderr)
+        self.assertRegex(done.stderr, r"ensembleDict\S*/distribution at line")
+
     def testACaseThatCannotBeReadIsRefusedAtOnce(self):
         for name, applications in {"unread": "blockTexture limitAnalysis",
                                    "unreadCopy": "blockTexture checkBlocks limitAnalysis"}.items():

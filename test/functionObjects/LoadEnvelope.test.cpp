@@ -64,6 +64,20 @@ TEST(LoadEnvelope, TakesTheLowerSideOfAJointAndTheFirstOfEqualPlaces)
     EXPECT_FALSE(worstPlace(LimitAnalysisCase<2>{}));
 }
 
+TEST(LoadEnvelope, NamesThePlacesThatAreLeftOut)
+{
+    LimitAnalysisCase<2> structure = solvedCase();
+    testing::internal::CaptureStdout();
+    printEnvelope(structure);
+    EXPECT_EQ(testing::internal::GetCapturedStdout().find("left out"), std::string::npos);
+    structure.loads.placesLeftOut = {-1, -0.5, 2.5};
+    testing::internal::CaptureStdout();
+    printEnvelope(structure);
+    EXPECT_NE(testing::internal::GetCapturedStdout().find("left out, where no axle meets a block that can "
+                                                          "move: 3 of 8, -1 to -0.5, 2.5 m along the path"),
+              std::string::npos);
+}
+
 TEST(LoadEnvelope, IsWrittenAndTakenAwayAgain)
 {
     const std::filesystem::path folder =

@@ -135,6 +135,14 @@ TEST(Photograph, PointsOfKnownDistanceAreInThePicture)
     {
         EXPECT_THAT(report({30, 295}, outside),
                     testing::HasSubstr("outside of this picture of 480 x 320 pixels"));
+        // The points are wrong, not the picture.
+        EXPECT_THAT(test::reportOf(
+                        [&]
+                        {
+                            makeAssembly(photograph, tutorial, {"system/blockTextureDict", "texture/file", 7},
+                                         {"system/blockTextureDict", "texture/points", 8});
+                        }),
+                    testing::HasSubstr("texture/points at line 8"));
     }
 }
 

@@ -109,7 +109,8 @@ class Installation(unittest.TestCase):
             self.assertEqual([line for line in text.splitlines() if len(line) > 80], [], name)
             with open(os.path.join(self.prefix, "share/man/man1", name + ".1"), encoding="utf-8") as page:
                 roff = page.read()
-            self.assertRegex(roff, r"\A\.TH " + name.upper() + " 1 ")
+            self.assertRegex(roff, r"\A\.TH " + name.upper() + r' 1 "20\d\d-\d\d-\d\d" ')
+            self.assertRegex(roff, r"\n" + name + r" \\- \w")
             self.assertIn(".SH Options", roff)
             # Every key of -help is on the page.
             keys = re.findall(r"^ +([a-zA-Z]+) {2}", text, re.MULTILINE)

@@ -124,10 +124,26 @@ class ParameterSearch(CaseTest):
         self.assertIn("Least alpha = 10", self.run_(case).stdout)
 
     def testAColumnThatThereIsNotIsToldWithThoseThatThereAre(self):
-        done = self.run_(self.case("column", column="beta"), status=1)
-        self.assertIn("has no column beta", done.stderr)
-        self.assertIn("alpha[-]", done.stderr)
-        self.assertRegex(done.stderr, r"parameterSearchDict\S*column at line 5")
+        case = self.case("column", column="beta")
+        for options in ((), ("-dry-run",)):
+            done = self.run_(case, *options, status=1)
+            self.assertIn("has no column beta", done.stderr)
+            self.assertIn("alpha[-]", done.stderr)
+            self.assertRegex(done.stderr, r"parameterSearchDict\S*column at line 5")
+        self.assertFalse(os.path.exists(os.path.join(case, "parameterSearch")))
+
+    def testATableThatNothingWritesIsToldBeforeTheFirstPoint(self):
+        case = self.case("table")
+        dictionary = os.path.join(case, "system/parameterSearchDict")
+        text = self.read(case, "system/parameterSearchDict")
+        for applications, table, told in (
+                ("limitAnalysis", "limitAnalysis/0/limitAnalysi.dat", "Unknown limitAnalysis table limitAnalysi"),
+                ("contactDynamics", "enrgy/0/energy.dat", "postProcessing/enrgy")):
+            with open(dictionary, "w", encoding="utf-8") as file:
+                file.write(text.replace("limitAnalysis);", applications + ");").replace("limitAnalysis/0/limitAnalysis.dat", table))
+            done = self.run_(case, "-dry-run", status=1)
+            self.assertIn(told, done.stderr)
+            self.assertRegex(done.stderr, r"parameterSearchDict\S*table at line 5")
 
     def testACaseThatIsFaultyIsToldAtItsFirstPoint(self):
         case = self.case("faulty")

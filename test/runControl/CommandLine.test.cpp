@@ -146,6 +146,14 @@ TEST(CommandLine, PutsHelpBeforeEverythingElseButUnknownOptions)
     }
 }
 
+TEST(CommandLine, HelpSaysWhereAnOptionIsRefused)
+{
+    ApplicationDescription description = describe(ApplicationKind::solver);
+    EXPECT_THAT(helpText(description), testing::ContainsRegex("-postProcess +run the function objects"));
+    description.postProcess.clear();
+    EXPECT_THAT(helpText(description), testing::ContainsRegex("-postProcess +refused: "));
+}
+
 TEST(CommandLine, PrintsHelpWithinEightyColumns)
 {
     ApplicationDescription description = describe(ApplicationKind::solver);

@@ -420,6 +420,47 @@ TEST_F(TimeCase, DoesNotEndInTheMiddleOfAStepThatIsMadeInParts)
     EXPECT_FALSE(time.loop());
 }
 
+TEST_F(TimeCase, CountsStepsThatAreMadeInPartsOnce)
+{
+    control("deltaT 0.1; endTime 0.8; writeControl timeStep; writeInterval 4;");
+    Time time(directory, ControlDict::required);
+    // Steps 2 and 4 are made in two parts, step 7 in three. \return the names of what was written
+    const auto runInParts = [](Time& run, double until)
+    {
+        std::vector<std::string> names;
+        while (run.state().value < until - 1e-9 && run.loop())
+        {
+            const auto ends = [&](double end) { return std::abs(run.value() - end) < 1e-9; };
+            if (run.deltaT() > 0.09 && (ends(0.2) || ends(0.4) || ends(0.7)))
+            {
+                run.shortenStep(0.03);
+            }
+            else if (run.deltaT() > 0.06 && run.deltaT() < 0.09 && ends(0.7))
+            {
+                run.shortenStep(0.02);
+            }
+            if (run.isWriteTime())
+            {
+                names.push_back(run.name());
+            }
+        }
+        return names;
+    };
+    EXPECT_THAT(runInParts(time, 1), ElementsAre("0.4", "0.8"));
+    EXPECT_EQ(time.index(), 12);
+    for (const double until : {0.13, 0.2, 0.33, 0.4, 0.63, 0.65, 0.7})
+    {
+        Time begun(directory, ControlDict::required);
+        std::vector<std::string> names = runInParts(begun, until);
+        EXPECT_NEAR(begun.value(), until, 1e-9);
+        Time rest(directory, ControlDict::required);
+        rest.resume(begun.state());
+        const std::vector<std::string> later = runInParts(rest, 1);
+        names.insert(names.end(), later.begin(), later.end());
+        EXPECT_THAT(names, ElementsAre("0.4", "0.8")) << until;
+    }
+}
+
 TEST_F(TimeCase, TakesAStepBackToTheLastBit)
 {
     control("deltaT 0.1; endTime 5;");
@@ -448,6 +489,7 @@ TEST_F(TimeCase, TakesAStepBackToTheLastBit)
     EXPECT_EQ(after.index, before.index);
     EXPECT_EQ(after.origin, before.origin);
     EXPECT_EQ(after.originIndex, before.originIndex);
+    EXPECT_EQ(after.unfinished, before.unfinished);
     for (std::size_t i = 23; i < regular.size(); ++i)
     {
         ASSERT_TRUE(time.loop());

@@ -54,6 +54,7 @@ int main(int argc, char* argv[])
         "Computes figures of a case with many settings: their errors against a reference and CPU times, as "
         "table, pictures and a page. Started again, it continues where it was stopped.";
     description.kind = ApplicationKind::solver;
+    description.postProcess.clear();
     description.examples = {"accuracyCost -case rockingBlock"};
     description.tutorial = "accuracyCost/rockingBlock";
     description.dictionaries = {{"system/accuracyCostDict", describeOptions<AccuracySettings>}};

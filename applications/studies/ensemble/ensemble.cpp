@@ -197,6 +197,7 @@ int main(int argc, char* argv[])
         "Computes many samples of a case with uncertain entries: Monte Carlo, fragility, incremental dynamic "
         "analysis, sensitivity. Uses all cores; started again, it continues.";
     description.kind = ApplicationKind::solver;
+    description.postProcess = "make the tables of the samples that are there";
     description.parallel = "share the samples with the other processes of mpirun, srun or a Slurm array";
     description.options = {
         {"jobs", "N", "worker processes; the number of cores unless given"},

@@ -83,6 +83,7 @@ int main(int argc, char* argv[])
         "Repeats the motion that contactDynamics computes over a growing ground acceleration and finds the "
         "least one that meets a criterion, as log, table and picture. The runs use all cores.";
     description.kind = ApplicationKind::solver;
+    description.postProcess.clear();
     description.examples = {"incrementalDynamics -case wall"};
     description.tutorial = "incrementalDynamics/masonryPanels";
     description.dictionaries = {

@@ -47,6 +47,7 @@ int main(int argc, char* argv[])
         "Varies entries of a case until a result is least or largest, within constraints: runs applications "
         "in copies of the case and lets algorithms of NLopt choose the points. Started again, it continues.";
     description.kind = ApplicationKind::solver;
+    description.postProcess.clear();
     description.examples = {"parameterSearch -case arch"};
     description.tutorial = "parameterSearch/archThickness";
     description.dictionaries = {{"system/parameterSearchDict", describeOptions<ParameterSearchSettings>}};

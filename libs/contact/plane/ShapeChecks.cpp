@@ -111,6 +111,20 @@ std::vector<Vector<2>> loneTouches(const Block<2>& one, const Block<2>& other, d
     return places;
 }
 
+std::vector<Vector<2>> commonCorners(const Block<2>& one, const Block<2>& other, double tolerance)
+{
+    std::vector<Vector<2>> places;
+    for (const Vector<2>& corner : one.outline)
+    {
+        if (std::any_of(other.outline.begin(), other.outline.end(),
+                        [&](const Vector<2>& vertex) { return (vertex - corner).norm() <= tolerance; }))
+        {
+            places.push_back(corner);
+        }
+    }
+    return places;
+}
+
 bool meetAtEdges(const Block<2>&, const Block<2>&, double)
 {
     return false;

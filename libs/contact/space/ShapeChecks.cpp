@@ -213,6 +213,11 @@ bool liesInFace(const Polyhedron& one, const Polyhedron& other, double tolerance
 
 } // namespace
 
+std::vector<Vector<3>> commonCorners(const Block<3>&, const Block<3>&, double)
+{
+    return {};
+}
+
 bool meetAtEdges(const Block<3>& one, const Block<3>& other, double tolerance)
 {
     // Edges that lie along each other have an end of one on the other; without one they cross, as in no bond.

@@ -89,17 +89,18 @@ void reportHoles(const std::vector<int>& filled, double scale)
 
 /// \throws FatalIOError for a point that is not in the picture: its scale would be wrong
 void refusePointsOutside(const Photograph& photograph, const Raster<std::uint8_t>& picture,
-                         const ImportedFile& file)
+                         const ImportedFile& file, const SourceLocation& place)
 {
     for (const Vector<2>& point : {photograph.points.first, photograph.points.second})
     {
         if (!(point.minCoeff() >= 0 && point.x() <= picture.width && point.y() <= picture.height))
         {
-            refuse(
-                file, 0,
+            throw FatalIOError(
                 fmt::format("The point ({:g} {:g}) of `points` lies outside of this picture of {} x {} "
-                            "pixels, so that its scale would be wrong: measure it from the top left corner.",
-                            point.x(), point.y(), picture.width, picture.height));
+                            "pixels, {}, so that its scale would be wrong: measure it from the top left "
+                            "corner.",
+                            point.x(), point.y(), picture.width, picture.height, file.name),
+                place);
         }
     }
 }
@@ -192,7 +193,7 @@ void declare(Options& options, Photograph& photograph)
 }
 
 Assembly<2> makeAssembly(const Photograph& photograph, const std::filesystem::path& caseDirectory,
-                         const SourceLocation& place)
+                         const SourceLocation& place, const SourceLocation& placeOfPoints)
 {
     const std::filesystem::path given(photograph.file);
     const std::filesystem::path path = given.is_absolute() ? given : caseDirectory / given;
@@ -206,7 +207,7 @@ Assembly<2> makeAssembly(const Photograph& photograph, const std::filesystem::pa
     }
     const ImportedFile file = readSource(path);
     const Raster<std::uint8_t> picture = readPng(file);
-    refusePointsOutside(photograph, picture, file);
+    refusePointsOutside(photograph, picture, file, placeOfPoints);
     const StoneRaster stones = stonesOf(photograph, picture, file);
     double tolerance = photograph.tolerance;
     const std::vector<Polygon> outlines = soundOutlines(stones, tolerance, file);

@@ -44,8 +44,9 @@ void declare(Options& options, Photograph& photograph);
 /// The stones, all free; the lowest stands on y = 0, the leftmost begins at x = 0. Neighbours share their
 /// joints. Where an outline would be no block, or overlap another, the tolerance of all borders is halved, up
 /// to three times, and after that 0: borders are then the sides of pixels. \throws FatalIOError at `place`,
-/// that of the entry `file`, when there is no such file, and in the file when it has no stone
+/// that of the entry `file`, when there is no such file, at `placeOfPoints` when these are not in the
+/// picture, and in the file when it has no stone
 Assembly<2> makeAssembly(const Photograph& photograph, const std::filesystem::path& caseDirectory,
-                         const SourceLocation& place);
+                         const SourceLocation& place, const SourceLocation& placeOfPoints = {});
 
 } // namespace drystone
