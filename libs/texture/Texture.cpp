@@ -249,7 +249,8 @@ void refuseTextureOfSpace(const Dictionary& dictionary)
     {
         for (const Entry& entry : dictionary.entries())
         {
-            if (!nearestWord(entry.keyword(), {"dimensions"}).empty()) // it is there, and mistyped
+            // It is there, and mistyped.
+            if (!dictionary.find("dimensions") && !nearestWord(entry.keyword(), {"dimensions"}).empty())
             {
                 readOptions<BlockTexture<3>>(dictionary);
             }

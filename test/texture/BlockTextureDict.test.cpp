@@ -59,6 +59,7 @@ TEST(BlockTextureDict, DimensionsThatAreMistypedAreNamedWhereTheTextureIsOneOfSp
 {
     const std::string boxes = "texture { type boxes; blocks (((0 0 0) (1 1 1))); }";
     EXPECT_THAT(report(boxes), HasSubstr("boxes is one of space"));
+    EXPECT_THAT(report("dimensions 2; " + boxes), HasSubstr("boxes is one of space"));
     EXPECT_THAT(report("\ndmiensions 3; " + boxes),
                 AllOf(HasSubstr("dmiensions"), HasSubstr("Did you mean dimensions?"), HasSubstr("line 2")));
 }
