@@ -106,6 +106,7 @@ void requireScripts(const Ensemble& ensemble, const fs::path& caseDirectory)
 /// Refuses results that the applications do not have.
 void requireResults(const Ensemble& ensemble)
 {
+    const StudyRuns runs{"", ensemble.settings.applications};
     for (const auto& [name, figure] : ensemble.settings.results)
     {
         const SourceLocation place = ensemble.dictionary.subDict("results").locationOf(name);
@@ -119,16 +120,13 @@ void requireResults(const Ensemble& ensemble)
                     name),
                 place);
         }
-        const bool hasScripts =
-            std::any_of(ensemble.settings.applications.begin(), ensemble.settings.applications.end(),
-                        [](const std::string& word) { return word.find('/') != word.npos; });
         if (figure.table)
         {
-            requireTable(*figure.table, ensemble.caseDirectory, {"", ensemble.settings.applications},
+            requireTable(*figure.table, ensemble.caseDirectory, runs,
                          ensemble.dictionary.subDict("results").subDict(name));
         }
         if (figure.ofCollapse && !ensemble.settings.runs("limitAnalysis")
-            && !ensemble.settings.runs("parameterSearch") && !hasScripts)
+            && !ensemble.settings.runs("parameterSearch") && !hasScript(runs))
         {
             throw FatalIOError(fmt::format("The result {} is one of limitAnalysis, which is not among the "
                                            "applications.",
@@ -142,8 +140,7 @@ void requireResults(const Ensemble& ensemble)
 /// run before one of them is missed. Scripts may yet make them.
 void requireFiles(const Ensemble& ensemble)
 {
-    const std::vector<std::string>& applications = ensemble.settings.applications;
-    if (std::any_of(applications.begin(), applications.end(), isScript))
+    if (hasScript({"", ensemble.settings.applications}))
     {
         return;
     }

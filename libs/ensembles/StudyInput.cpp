@@ -26,11 +26,6 @@ namespace fs = std::filesystem;
 /// The first of the lines: of no form that a file has.
 constexpr const char* howCompared = "input of dictionaries by tokens\n";
 
-bool hasScript(const StudyRuns& runs)
-{
-    return std::any_of(runs.applications.begin(), runs.applications.end(), isScript);
-}
-
 /// Whether editors and users leave such files as copies: nothing reads them.
 bool isCopy(const fs::path& file)
 {
@@ -250,6 +245,11 @@ std::vector<std::string> linesIn(const std::string& text, const std::string& mar
 }
 
 } // namespace
+
+bool hasScript(const StudyRuns& runs)
+{
+    return std::any_of(runs.applications.begin(), runs.applications.end(), isScript);
+}
 
 std::vector<InputFile> inputOfSearch(const fs::path& caseDirectory)
 {

@@ -19,6 +19,9 @@ struct StudyRuns
     std::vector<std::string> cases{"."};   ///< in the case directory: in each all of them are run
 };
 
+/// Whether a script is among the applications: it may read dictionaries in its own way, and write anything.
+bool hasScript(const StudyRuns& runs);
+
 /// The files that the runs read, sorted by name: 0/, constant/ and system/, what these include or name with
 /// `file`, scripts, and files of the case that a script mentions. Dictionaries by their tokens, as variables
 /// of a study change them before they are read: comments and layout do not count. All else byte by byte, and

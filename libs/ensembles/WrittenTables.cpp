@@ -3,7 +3,6 @@
 #include "ensembles/WrittenTables.h"
 
 #include "core/Error.h"
-#include "ensembles/CaseRuns.h"
 #include "quantities/Figure.h"
 #include "quantities/LimitAnalysisFigures.h"
 #include "quantities/TableLine.h"
@@ -99,7 +98,7 @@ void requireTable(const TableFigure& figure, const fs::path& caseDirectory, cons
                   const Dictionary& result)
 {
     const auto place = placeOf(figure.table, runs);
-    if (!place || std::any_of(runs.applications.begin(), runs.applications.end(), isScript))
+    if (!place || hasScript(runs))
     {
         return;
     }

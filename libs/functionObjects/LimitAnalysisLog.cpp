@@ -24,6 +24,10 @@ namespace drystone
 namespace
 {
 
+/// How a start of a search is called that a path follows, and one that programs with cohesion do.
+constexpr std::string_view pathWord = "path ";
+constexpr std::string_view startWord = "start ";
+
 template<int Dim>
 std::string statusText(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
 {
@@ -40,9 +44,8 @@ std::string statusText(const LimitAnalysisCase<Dim>& structure, const LimitAnaly
         if (!std::isfinite(result.alpha) && isCutShort(result))
         {
             return "no answer (no collapse by Coulomb's law was found until maximumTime ended the search, "
-                   "and by "
-                   "the associative law, which wedges blocks that slide, there is none: more time may find "
-                   "one)";
+                   "and by the associative law, which wedges blocks that slide, there is none: more time "
+                   "may find one)";
         }
         return std::isfinite(result.alpha) ? "upper bound (no collapse by Coulomb's law was found; forces "
                                              "and mechanism are those of the "
@@ -307,6 +310,13 @@ void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
     info("{}\n", machineText());
 }
 
+bool isCollapseProgress(std::string_view line)
+{
+    return line.starts_with(coulombWords)
+           && (line.substr(coulombWords.size()).starts_with(pathWord)
+               || line.substr(coulombWords.size()).starts_with(startWord));
+}
+
 std::function<void(const CollapseProgress&)> collapseProgressLog(bool isLimited,
                                                                  std::function<double()> clock)
 {
@@ -319,8 +329,8 @@ std::function<void(const CollapseProgress&)> collapseProgressLog(bool isLimited,
         if (clock() - last >= every)
         {
             last = clock();
-            info("Coulomb's law: {} {}, {} {}, at {:.4g} times the live load; {}. ClockTime = {:.0f} s",
-                 progress.isPath ? "path" : "start", progress.path, progress.pieces,
+            info("{}{}{}, {} {}, at {:.4g} times the live load; {}. ClockTime = {:.0f} s", coulombWords,
+                 progress.isPath ? pathWord : startWord, progress.path, progress.pieces,
                  progress.isPath ? "pieces" : "programs", progress.multiplier,
                  std::isfinite(progress.lowest)
                      ? fmt::format("lowest collapse so far {:.6g}", progress.lowest)

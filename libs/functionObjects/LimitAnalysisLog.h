@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 namespace drystone
@@ -23,6 +24,12 @@ void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
 /// that key is given \param clock [s]
 std::function<void(const CollapseProgress&)> collapseProgressLog(bool isLimited,
                                                                  std::function<double()> clock = clockTime);
+
+/// How a line of the log on a search for collapses by Coulomb's law begins.
+inline constexpr std::string_view coulombWords = "Coulomb's law: ";
+
+/// Whether a line of the log is one of collapseProgressLog.
+bool isCollapseProgress(std::string_view line);
 
 /// Multiplier, status and certificate. No multiplier is printed for what did not converge.
 template<int Dim>

@@ -5,6 +5,7 @@
 #include "contact/SupportPaths.h"
 #include "core/WholeFile.h"
 #include "functionObjects/Histories.h"
+#include "functionObjects/LimitAnalysisLog.h"
 #include "functionObjects/LimitAnalysisResults.h"
 #include "functionObjects/LoadMeaning.h"
 #include "quantities/TableLine.h"
@@ -57,7 +58,7 @@ std::vector<std::string> searchInLog(const fs::path& caseDirectory)
     std::istringstream log(contentOfFile(caseDirectory / "log.limitAnalysis"));
     for (std::string line; std::getline(log, line);)
     {
-        if (line.starts_with("Coulomb's law: ") && !line.starts_with("Coulomb's law: path "))
+        if (line.starts_with(coulombWords) && !isCollapseProgress(line))
         {
             sentences.push_back(line + ".");
         }

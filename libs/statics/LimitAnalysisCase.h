@@ -59,8 +59,8 @@ struct LimitAnalysisCase
     NonAssociativeSettings nonAssociative;
     ChosenEffects effects; ///< of system/schemes: whether all blocks are simulated
     PartUse partUse;       ///< once solved
-    int cutShort =
-        0; ///< searches that maximumTime has ended, those of all positions of a load too, once solved
+    /// Searches that maximumTime has ended, those of all positions of a load too, once solved.
+    int cutShort = 0;
     Multiplier multiplier = Multiplier::positive;                  ///< which ends of the range are asked for
     std::optional<SupportMovement<Dim>> movement;                  ///< instead of a live load
     std::optional<PushoverSettings> pushover;                      ///< the capacity curve is asked for

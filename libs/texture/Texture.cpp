@@ -247,13 +247,12 @@ void refuseTextureOfSpace(const Dictionary& dictionary)
     };
     if (isOneOf(textureTypes<3>()) && !isOneOf(textureTypes<2>()))
     {
-        for (const Entry& entry : dictionary.entries())
+        const auto isMistyped = [](const Entry& entry)
+        { return !nearestWord(entry.keyword(), {"dimensions"}).empty(); };
+        if (!dictionary.find("dimensions")
+            && std::any_of(dictionary.entries().begin(), dictionary.entries().end(), isMistyped))
         {
-            // It is there, and mistyped.
-            if (!dictionary.find("dimensions") && !nearestWord(entry.keyword(), {"dimensions"}).empty())
-            {
-                readOptions<BlockTexture<3>>(dictionary);
-            }
+            readOptions<BlockTexture<3>>(dictionary); // which names it
         }
         throw FatalIOError(
             fmt::format("The texture {} is one of space: write `dimensions 3;`, or choose another.",

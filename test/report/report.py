@@ -122,13 +122,16 @@ class Report(CaseTest):
         names, row = self.read(case, "postProcessing/limitAnalysis/0/coulomb.dat").splitlines()
         self.assertEqual(names.split()[-1], "cutShortAfter[s]")
         self.assertEqual(len(row.split()), len(names.split()) - 1)
-        for log in ("", "Coulomb's law: path 1, 20 pieces, at 0.1 times the live load\n" + done.stdout):
+        progress = ("Coulomb's law: path 1, 20 pieces, at 0.1 times the live load\n"
+                    "Coulomb's law: start 2, 7 programs, at 0.2 times the live load\n")
+        for log in ("", progress + done.stdout):
             with open(os.path.join(case, "log.limitAnalysis"), "w", encoding="utf-8") as file:
                 file.write(log)
             self.run_(case)
             page = html.unescape(self.read(case, "report.html"))
             self.assertRegex(page, r"The search was ended by maximumTime after [\d.e-]+ s, before all was tried")
             self.assertNotIn("20 pieces", page)
+            self.assertNotIn("7 programs", page)
 
     def testSaysWhichResultsAreMissingOrDamaged(self):
         case = self.wall()

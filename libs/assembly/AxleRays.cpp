@@ -1,0 +1,305 @@
+// Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
+/// Rays of an axle's force that is spread, cut where the block changes that they meet.
+#include "assembly/AxleRays.h"
+
+#include "assembly/BlockShape.h"
+#include "assembly/Loads.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace drystone
+{
+namespace
+{
+
+/// Where along a ray from a point a block begins [m]; nothing where the ray misses it.
+template<int Dim>
+std::optional<double> entryOf(const Block<Dim>& block, const Vector<Dim>& from, const Vector<Dim>& direction,
+                              double tolerance)
+{
+    std::optional<double> first;
+    std::vector<double> places = placesToCut(block, from, direction);
+    places.push_back(0);
+    for (const double place : places)
+    {
+        if (place >= 0 && (!first || place < *first)
+            && distanceFrom(block, Vector<Dim>(from + place * direction)) <= tolerance)
+        {
+            first = place;
+        }
+    }
+    return first;
+}
+
+/// \param among blocks in ascending order
+template<int Dim>
+Landing landingOf(const Assembly<Dim>& assembly, const std::vector<int>& among, const Vector<Dim>& from,
+                  const Vector<Dim>& direction)
+{
+    const double tolerance = widthOfAJoint(assembly);
+    Landing landing;
+    for (const int i : among)
+    {
+        const std::optional<double> entry =
+            entryOf(assembly.blocks[static_cast<std::size_t>(i)], from, direction, tolerance);
+        if (!entry || *entry > landing.distance + tolerance)
+        {
+            continue;
+        }
+        if (*entry < landing.distance - tolerance)
+        {
+            landing.blocks.clear();
+        }
+        landing.distance = std::min(landing.distance, *entry);
+        landing.blocks.push_back(i);
+    }
+    return landing;
+}
+
+/// The force of an axle, spread: at u in [-1, 1] of the loaded length L a ray begins at u L/2 and goes along
+/// f + u s a, with f the direction of the force, a the path's across it and s the spread: at the depth t it
+/// is at u (L/2 + s t), so that the force is uniform over L + 2 s t. In space the same across the path, with
+/// v.
+template<int Dim>
+struct SpreadAxle
+{
+    SpreadAxle(const MovingLoadSettings<Dim>& given, const Vector<Dim>& at) : settings(given), place(at)
+    {
+        force = settings.value.normalized();
+        path = (settings.to - settings.from).normalized();
+        const Vector<Dim> level = path - path.dot(force) * force;
+        along = level.norm() > 0 ? Vector<Dim>(level.normalized()) : Vector<Dim>(Vector<Dim>::Zero());
+    }
+
+    Ray<Dim> ray(double u, [[maybe_unused]] double v) const
+    {
+        Vector<Dim> from = place + u * settings.loadedLength / 2 * path;
+        Vector<Dim> direction = force + u * settings.spread * along;
+        if constexpr (Dim == 3)
+        {
+            const Vector<3> across = force.cross(along);
+            from += v * settings.loadedWidth / 2 * across;
+            direction += v * settings.spread * across;
+        }
+        return {from, direction.normalized()};
+    }
+
+    const MovingLoadSettings<Dim>& settings;
+    Vector<Dim> place;
+    Vector<Dim> force;
+    Vector<Dim> path;
+    Vector<Dim> along;
+};
+
+/// The blocks that a spread axle can meet: those near its rays.
+template<int Dim>
+std::vector<int> blocksBelow(const Assembly<Dim>& assembly, const SpreadAxle<Dim>& axle)
+{
+    Box<Dim> box;
+    extend<Dim>(box, axle.place);
+    for (const Block<Dim>& block : assembly.blocks)
+    {
+        const Box<Dim> own = boundingBox(block);
+        extend<Dim>(box, own.lower);
+        extend<Dim>(box, own.upper);
+    }
+    const double farthest = (box.upper - box.lower).norm();
+    Box<Dim> swept;
+    for (const double u : {-1.0, 1.0})
+    {
+        for (const double v : {-1.0, 1.0})
+        {
+            const Ray<Dim> ray = axle.ray(u, v);
+            extend<Dim>(swept, ray.from);
+            extend<Dim>(swept, Vector<Dim>(ray.from + 2 * farthest * ray.direction));
+        }
+    }
+    const Box<Dim> way = enlarged<Dim>(swept, widthOfAJoint(assembly));
+    std::vector<int> below;
+    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
+    {
+        if (meet<Dim>(way, boundingBox(assembly.blocks[i])))
+        {
+            below.push_back(static_cast<int>(i));
+        }
+    }
+    return below;
+}
+
+/// Cuts the force of an axle where the block changes that it meets, so that each block has its share.
+template<int Dim>
+class Cutting
+{
+public:
+    Cutting(const Assembly<Dim>& ofBlocks, const SpreadAxle<Dim>& ofForce, Choice which)
+        : assembly(ofBlocks), axle(ofForce), choice(which), below(blocksBelow(ofBlocks, ofForce))
+    {
+    }
+
+    std::vector<Ray<Dim>> rays()
+    {
+        if constexpr (Dim == 2)
+        {
+            addStrip(0, 1);
+        }
+        else
+        {
+            double low = -1;
+            std::vector<int> atLow = blocksOf(cutsOf(low));
+            for (int i = 1; i <= strips; ++i)
+            {
+                const double high = 2.0 * i / strips - 1;
+                std::vector<int> atHigh = blocksOf(cutsOf(high));
+                addStrips(low, atLow, high, atHigh, mostHalvingsOfStrips);
+                low = high;
+                atLow = std::move(atHigh);
+            }
+        }
+        return std::move(found);
+    }
+
+private:
+    /// Rays along a strip, and the least of a block; strips; and how often what is between two is halved.
+    static constexpr int parts = Dim == 2 ? 100 : 24;
+    static constexpr int leastOfABlock = Dim == 2 ? 20 : 1;
+    static constexpr int strips = 24;
+    static constexpr int mostHalvings = 30;
+    static constexpr int mostHalvingsOfStrips = 16;
+
+    /// From where to where along a strip a block is met, or none (-1).
+    struct Cut
+    {
+        int block;
+        double begin;
+        double end;
+    };
+
+    Ray<Dim> landed(double u, double v) const
+    {
+        Ray<Dim> ray = axle.ray(u, v);
+        ray.landing = landingOf<Dim>(assembly, below, ray.from, ray.direction);
+        return ray;
+    }
+
+    int blockAt(double u, double v) const { return carrierOf(landed(u, v).landing, choice); }
+
+    std::vector<Cut> cutsOf(double v) const
+    {
+        std::vector<Cut> cuts{{blockAt(-1, v), -1, -1}};
+        for (int i = 1; i <= parts; ++i)
+        {
+            addCuts(v, 2.0 * i / parts - 1, mostHalvings, cuts);
+        }
+        return cuts;
+    }
+
+    /// Goes on from the end of the last cut to `high`.
+    void addCuts(double v, double high, int halvings, std::vector<Cut>& cuts) const
+    {
+        const int block = blockAt(high, v);
+        if (block == cuts.back().block)
+        {
+            cuts.back().end = high;
+            return;
+        }
+        const double middle = (cuts.back().end + high) / 2;
+        if (halvings == 0)
+        {
+            cuts.back().end = middle;
+            cuts.push_back({block, middle, high});
+            return;
+        }
+        addCuts(v, middle, halvings - 1, cuts);
+        addCuts(v, high, halvings - 1, cuts);
+    }
+
+    static std::vector<int> blocksOf(const std::vector<Cut>& cuts)
+    {
+        std::vector<int> blocks;
+        for (const Cut& cut : cuts)
+        {
+            blocks.push_back(cut.block);
+        }
+        return blocks;
+    }
+
+    /// Strips between two, finer where the blocks that they meet change.
+    void addStrips(double low, const std::vector<int>& atLow, double high, const std::vector<int>& atHigh,
+                   int halvings)
+    {
+        const double middle = (low + high) / 2;
+        if (atLow == atHigh || halvings == 0)
+        {
+            addStrip(middle, (high - low) / 2);
+            return;
+        }
+        const std::vector<int> between = blocksOf(cutsOf(middle));
+        addStrips(low, atLow, middle, between, halvings - 1);
+        addStrips(middle, between, high, atHigh, halvings - 1);
+    }
+
+    /// \param share of the force
+    void addStrip(double v, double share)
+    {
+        for (const Cut& cut : cutsOf(v))
+        {
+            const double length = cut.end - cut.begin;
+            const int count = std::max(leastOfABlock, static_cast<int>(std::ceil(length / 2 * parts - 1e-9)));
+            for (int i = 0; cut.block >= 0 && length > 0 && i < count; ++i)
+            {
+                found.push_back(landed(cut.begin + (i + 0.5) / count * length, v));
+                found.back().share = share * length / 2 / count;
+            }
+        }
+    }
+
+    const Assembly<Dim>& assembly;
+    const SpreadAxle<Dim>& axle;
+    Choice choice;
+    std::vector<int> below;
+    std::vector<Ray<Dim>> found;
+};
+
+} // namespace
+
+int carrierOf(const Landing& landing, Choice choice)
+{
+    return landing.blocks.empty()     ? -1
+           : choice == Choice::lowest ? landing.blocks.front()
+                                      : landing.blocks.back();
+}
+
+template<int Dim>
+Landing landingOf(const Assembly<Dim>& assembly, const Vector<Dim>& from, const Vector<Dim>& direction)
+{
+    std::vector<int> all(assembly.blocks.size());
+    std::iota(all.begin(), all.end(), 0);
+    return landingOf<Dim>(assembly, all, from, direction);
+}
+
+template<int Dim>
+std::vector<Ray<Dim>> raysOf(const Assembly<Dim>& assembly, const MovingLoadSettings<Dim>& settings,
+                             const Vector<Dim>& place, Choice choice)
+{
+    if (settings.spread == 0 && settings.loadedLength == 0 && settings.loadedWidth == 0)
+    {
+        const Vector<Dim> direction = settings.value.normalized();
+        return {{place, direction, 1, landingOf<Dim>(assembly, place, direction)}};
+    }
+    const SpreadAxle<Dim> axle(settings, place);
+    return Cutting<Dim>(assembly, axle, choice).rays();
+}
+
+template Landing landingOf(const Assembly<2>& assembly, const Vector<2>& from, const Vector<2>& direction);
+template std::vector<Ray<2>> raysOf(const Assembly<2>& assembly, const MovingLoadSettings<2>& settings,
+                                    const Vector<2>& place, Choice choice);
+template Landing landingOf(const Assembly<3>& assembly, const Vector<3>& from, const Vector<3>& direction);
+template std::vector<Ray<3>> raysOf(const Assembly<3>& assembly, const MovingLoadSettings<3>& settings,
+                                    const Vector<3>& place, Choice choice);
+
+} // namespace drystone
