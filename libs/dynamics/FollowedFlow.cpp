@@ -202,6 +202,11 @@ bool followFlow(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolu
     solution.status = SolveStatus::optimal;
     ThetaStep taken = step;
     takeOver(taken, flow.program, std::move(solution), settings, overlap, overlap);
+    if (relinearise && settings.overlaps == Overlaps::closed)
+    {
+        // About the motion that is left with the overlaps closed.
+        relinearise(taken.displacement, taken.contactForce, flow.program);
+    }
     const bool isRight = taken.certificate.worst() <= settings.solver.tolerance
                          && (!relinearise || keepMomenta(taken, flow.program, relinearise));
     if (isRight)

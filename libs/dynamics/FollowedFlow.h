@@ -32,8 +32,8 @@ bool areFollowed(const StepProgram<Dim>& program, const Eigen::VectorXd& contact
 /// Coulomb's law by following forces from a start to those of points that overlap by up to
 /// `contactOverlap` (conic/coulomb/ContactPath.h). Rigid forces are not unique, and with them neither is the
 /// motion: these are the least, so that the motion depends on the places and velocities of the blocks only,
-/// and changes as they do. Those of an impact, which nothing would close after it, are closed again by
-/// multipliers. Only with theta 1 or for an impact, and forces to begin with. \param program
+/// and changes as they do. Overlaps that nothing would close later, of an impact or with theta below 1, are
+/// closed again by multipliers. Only with forces to begin with. \param program
 /// its gaps without what the flow opens \param relinearise empty for an impact \return whether it was
 /// reached; otherwise the step is as it was but for the work counted
 template<int Dim>

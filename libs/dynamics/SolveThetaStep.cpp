@@ -188,7 +188,10 @@ void StepSearch<Dim>::chooseFollowing()
 {
     if constexpr (Dim == 3)
     {
-        const bool isFollowed = areFollowed(program, start.contactForce);
+        // Where overlaps are closed they do not tell.
+        const bool isFollowed = settings.overlaps == Overlaps::closed && !isImpact
+                                    ? !settings.isFixedPointOnly
+                                    : areFollowed(program, start.contactForce);
         const bool begins =
             !isImpact && (!isGuessed || guess.displacement.isZero(0) || start.contactForce.isZero(0));
         fromLastStep = isFollowed ? Following::fromLastStep : Following::notAtAll;

@@ -62,10 +62,11 @@ Step<Dim>::Step(const DynamicCase<Dim>& dynamicCase, Motion<Dim>& current, doubl
 {
     isOfAllBlocks = choice.isOfAllBlocks;
     settings.flowRule = scene.flowRule();
-    settings.overlaps = scheme.theta < 1 ? Overlaps::none : Overlaps::damped;
+    settings.overlaps = scheme.theta < 1 ? Overlaps::closed : Overlaps::damped;
     settings.blockSize = scene.blockSize;
     settings.partOfStep = choice.wholeStep > 0 ? length / choice.wholeStep : 1;
-    settings.contactOverlap = scene.schemes.contactOverlap;
+    // With theta below 1 none is left of overlaps, and it is all one by how much points give way until then.
+    settings.contactOverlap = scheme.theta < 1 ? Schemes().contactOverlap : scene.schemes.contactOverlap;
     settings.contactTolerance = scene.schemes.contactTolerance * scene.blockSize;
     settings.solver = scene.solution;
     settings.isFixedPointOnly = isFixedPointOnly(motion, length);

@@ -53,8 +53,9 @@ enum class StepKind
 /// Whether points may overlap by a little under their forces.
 enum class Overlaps
 {
-    none,   ///< rigid, and forces that any solver gives: theta below 1, where nothing takes away their energy
-    closed, ///< none at the end: forces are those of points that overlap, but these do not. An impact
+    none,   ///< rigid, and forces that any solver gives: impacts between steps that are not damped
+    closed, ///< none at the end: forces are those of points that overlap, but these do not. Other impacts,
+            ///< and theta below 1, where nothing takes away the energy of overlaps
     damped  ///< by the step itself, which theta 1 does
 };
 
@@ -130,9 +131,9 @@ struct ThetaStep : SolverWork ///< no factorisation where the guess was the solu
 /// the solution. Otherwise programs are solved in turn until the linear prediction of the gaps is right to
 /// `contactTolerance` and, with `nonAssociative`, until the fixed point of Acary & Cadoux (2013) is reached:
 /// the program's flow opens a point by mu |u_t| as it slides by u_t; with its gap increased by just that the
-/// point slides without opening, which is Coulomb's law. With theta 1 its forces are followed from those of
-/// the guess, or else of the first program (FollowedFlow.h), which ends nearly every step. With less, after
-/// the first program Newton's method (CoulombNewton.h) finds that fixed point, most often, and before it, in
+/// point slides without opening, which is Coulomb's law. Its forces are followed from those of the guess, or
+/// else of the first program (FollowedFlow.h), which ends nearly every step. Where they are not, after the
+/// first program Newton's method (CoulombNewton.h) finds that fixed point, most often, and before it, in
 /// steady motion, from the forces of the guess; else Anderson's acceleration goes on from there, until
 /// mu |u_t| changes by less than ten times the tolerance of itself or 1e-12 of `blockSize`; from the fourth
 /// program on 1% of what the step changes the motion by will do, from the fifteenth 15%. Of an impact 1% of
