@@ -425,6 +425,8 @@ brokenInputs = [
            earlier={dictionary: polygons}),
     inAnalysis("forceBesideTheWall", "constant/loads", "type inertial;\n    direction (1 0 0);",
                "type force;\n    at (50 50);@@\n    value (0 -1 0);", r"(?i)block", lines=(4, 5)),
+    inAnalysis("forceOfNothing", "constant/loads", "type inertial;\n    direction (1 0 0);",
+               "type force; at (1 0.5); value (0 1e-300 0);@@", r"A force of 1e-300 N cannot be computed with"),
     inAnalysis("forceOnAJoint", "constant/loads", "type inertial;\n    direction (1 0 0);",
                "type force;\n    at (0.6 0.0875);@@\n    value (0 -1 0);", r"on the joint of blocks \d+ and \d+", r"block \d+;",
                lines=(5,)),
