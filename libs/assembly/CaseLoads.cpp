@@ -41,7 +41,8 @@ std::optional<SupportMovement<Dim>> readMovement(const Dictionary& loads, const 
     {
         if (support.name == settings->support)
         {
-            return SupportMovement<Dim>{static_cast<int>(names.size()), settings->direction.normalized()};
+            return SupportMovement<Dim>{static_cast<int>(names.size()),
+                                        settings->direction.stableNormalized()};
         }
         names.push_back(support.name);
     }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 
 namespace drystone
@@ -22,9 +23,15 @@ std::string downwards(std::string_view size)
 template<int Dim>
 std::string faultOfForce(const Vector<Dim>& value)
 {
-    return value.isZero(0) ? fmt::format("A force cannot be (0 0 0). Write for instance `value {};`.",
-                                         downwards<Dim>("1000"))
-                           : "";
+    if (value.isZero(0))
+    {
+        return fmt::format("A force cannot be (0 0 0). Write for instance `value {};`.",
+                           downwards<Dim>("1000"));
+    }
+    return std::isnormal(value.squaredNorm())
+               ? ""
+               : fmt::format("A force of {:.6g} N cannot be computed with. Write for instance `value {};`.",
+                             value.stableNorm(), downwards<Dim>("1000"));
 }
 
 /// `(0.5 1.2)`, as a dictionary has it.

@@ -47,7 +47,7 @@ Eigen::VectorXd inertialLoad(const Assembly<Dim>& assembly, const std::vector<do
                              const std::type_identity_t<Vector<Dim>>& gravity,
                              const std::type_identity_t<Vector<Dim>>& direction)
 {
-    return gravityLoad(assembly, masses, gravity.norm() * direction.normalized());
+    return gravityLoad(assembly, masses, gravity.norm() * direction.stableNormalized());
 }
 
 template<int Dim>

@@ -99,7 +99,7 @@ template<int Dim>
 Tractions<Dim> tractionsOf(const Assembly<Dim>&, const std::vector<SurfacePiece<Dim>>& exposed,
                            const PressureSettings<Dim>& settings)
 {
-    const Vector<Dim> normal = settings.normal.normalized();
+    const Vector<Dim> normal = settings.normal.stableNormalized();
     const double least = std::cos(settings.within * std::numbers::pi / 180) - sameDirection;
     Tractions<Dim> tractions;
     tractions.pressure = [value = settings.value](const Vector<Dim>&) { return value; };
@@ -109,7 +109,7 @@ Tractions<Dim> tractionsOf(const Assembly<Dim>&, const std::vector<SurfacePiece<
         {
             const Vector<Dim> direction = settings.direction.isZero(0)
                                               ? Vector<Dim>(-piece.normal)
-                                              : Vector<Dim>(settings.direction.normalized());
+                                              : Vector<Dim>(settings.direction.stableNormalized());
             tractions.pieces.push_back({piece, direction});
         }
     }

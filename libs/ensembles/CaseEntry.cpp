@@ -97,4 +97,12 @@ std::string faultOfNextName(const std::string& name, std::set<std::string>& name
                : fmt::format("Two variables or results have the name {}: choose another one.", name);
 }
 
+std::string faultOfNextEntry(const CaseEntry& entry, std::set<std::string>& places)
+{
+    const std::string place = fs::path(entry.file).lexically_normal().string() + ":" + entry.entry;
+    return places.insert(place).second
+               ? ""
+               : fmt::format("Two variables set {} of {}: remove one of them.", entry.entry, entry.file);
+}
+
 } // namespace drystone

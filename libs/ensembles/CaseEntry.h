@@ -34,4 +34,8 @@ std::string faultOfName(const std::string& name);
 /// \param names of variables and results so far; gets this one
 std::string faultOfNextName(const std::string& name, std::set<std::string>& names);
 
+/// What is wrong with an entry that is one of several to be set; empty: nothing.
+/// \param places of those so far; gets this one
+std::string faultOfNextEntry(const CaseEntry& entry, std::set<std::string>& places);
+
 } // namespace drystone

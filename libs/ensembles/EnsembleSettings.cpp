@@ -125,10 +125,9 @@ void declare(Options& options, EnsembleSettings& settings)
                           {
                               return fault;
                           }
-                          if (!places.insert(variable.place.file + ":" + variable.place.entry).second)
+                          if (std::string fault = faultOfNextEntry(variable.place, places); !fault.empty())
                           {
-                              return fmt::format("Two variables set {} of {}: remove one of them.",
-                                                 variable.place.entry, variable.place.file);
+                              return fault;
                           }
                       }
                       return settings.variables.empty() ? "There is no variable." : "";

@@ -69,7 +69,10 @@ const char* statusText(const SearchOutcome& outcome)
     case SearchEnd::evaluations:
         return isShort(outcome) ? "not converged: raise maximumEvaluations" : "all evaluations made";
     case SearchEnd::failed:
-        return "not converged: the last algorithm failed";
+        return outcome.stages.back().first == SearchAlgorithm::bisection
+                   ? "not converged: neither bound meets the constraints, and bisection begins with one that "
+                     "does: change the bounds, or take COBYLA or DIRECT"
+                   : "not converged: the last algorithm failed";
     case SearchEnd::interrupted:
         break;
     }
@@ -266,6 +269,30 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
     return outcome;
 }
 
+namespace
+{
+
+/// Warns of a best point that is best by what stands for a number which it does not have.
+void questionBest(const ParameterSearch& search, const SearchHistory& history, const Evaluation& best)
+{
+    const SearchRecord* record = history.find(best.variables);
+    for (std::size_t i = 0; record && i < record->results.size(); ++i)
+    {
+        if (!std::isfinite(record->results[i]))
+        {
+            const auto& [name, result] = search.settings.results[i];
+            printWarning(
+                fmt::format("The best point has no {}{}: {:g} is its `otherwise`. Where such a point "
+                            "is no answer, give `otherwise` a value that is worse than any answer.",
+                            name, record->exitStatus == 0 ? "" : ", since an application failed there",
+                            best.results[i]),
+                search.dictionary.subDict("results").subDict(name).locationOf("otherwise"));
+        }
+    }
+}
+
+} // namespace
+
 void printOutcome(const ParameterSearch& search, const SearchHistory& history, const SearchOutcome& outcome)
 {
     const ParameterSearchSettings& settings = search.settings;
@@ -276,6 +303,11 @@ void printOutcome(const ParameterSearch& search, const SearchHistory& history, c
     }
     if (!outcome.best)
     {
+        if (outcome.end == SearchEnd::failed)
+        {
+            info("Status: not converged: {} failed before its first point",
+                 nameOf(outcome.stages.back().first));
+        }
         return;
     }
     if (outcome.best->violation > 0)
@@ -315,6 +347,7 @@ void printOutcome(const ParameterSearch& search, const SearchHistory& history, c
              failed, history.records().size());
     }
     info("Status: {} (evaluations: {})", statusText(outcome), stages);
+    questionBest(search, history, *outcome.best);
 }
 
 void writeOutcome(const ParameterSearch& search, const SearchHistory& history, const SearchOutcome& outcome)

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -41,6 +42,24 @@ std::string faultOf(const SearchStage& stage, const ParameterSearchSettings& set
     {
         return "bisection finds where constraints cease to hold, along one variable: give it constraints, "
                "and one variable.";
+    }
+    if (stage.algorithm == SearchAlgorithm::BOBYQA)
+    {
+        for (const auto& [name, variable] : settings.variables)
+        {
+            if (variable.firstStep > 0.5)
+            {
+                return fmt::format("BOBYQA steps to both sides at first: firstStep of {} can be 0.5 at most.",
+                                   name);
+            }
+        }
+    }
+    if (stage.algorithm == SearchAlgorithm::CRS2_LM && stage.population > 0
+        && static_cast<std::size_t>(stage.population) <= settings.variables.size())
+    {
+        return fmt::format("CRS2_LM needs more points in its population than there are variables: {} or "
+                           "more, or 0.",
+                           settings.variables.size() + 1);
     }
     if (settings.constraints.empty() || takesConstraints(stage.algorithm))
     {
@@ -96,13 +115,16 @@ void declare(Options& options, SearchVariable& variable)
         .optional("firstStep", variable.firstStep, "of local algorithms, as part of the width of the bounds")
         .above(0)
         .atMost(1);
-    options.check("bounds",
-                  [&variable]
-                  {
-                      return variable.bounds[0] < variable.bounds[1]
-                                 ? ""
-                                 : "The range between these bounds is empty: give the lower one first.";
-                  });
+    options.check(
+        "bounds",
+        [&variable]
+        {
+            return !(variable.bounds[0] < variable.bounds[1])
+                       ? "The range between these bounds is empty: give the lower one first."
+                   : std::isfinite(variable.bounds[1] - variable.bounds[0])
+                       ? ""
+                       : "The range between these bounds is too wide for numbers: give nearer ones.";
+        });
     options.check("start",
                   [&variable]
                   {
@@ -201,9 +223,14 @@ void declare(Options& options, ParameterSearchSettings& settings)
                   [&settings]() -> std::string
                   {
                       std::set<std::string> names;
+                      std::set<std::string> places;
                       for (const auto& [name, variable] : settings.variables)
                       {
                           if (std::string fault = faultOfNextName(name, names); !fault.empty())
+                          {
+                              return fault;
+                          }
+                          if (std::string fault = faultOfNextEntry(variable.place, places); !fault.empty())
                           {
                               return fault;
                           }

@@ -41,6 +41,20 @@ bool addHinges(JointPoints<Dim>& joints, const std::vector<LimitAnalysis>& resul
     return addCrushingHinges(joints, forces, tolerance);
 }
 
+/// The same where joints crush beside collapse: under the dead load alone, which points carry that joints do
+/// not, or at the ends of the range in which a live load holds the structure up. Last of all, since their
+/// forces are often borne by what collapse has asked for.
+template<int Dim>
+bool addOtherHinges(JointPoints<Dim>& joints, const std::vector<LimitAnalysis>& results, double tolerance)
+{
+    std::vector<Eigen::VectorXd> forces;
+    for (const LimitAnalysis& result : results)
+    {
+        forces.insert(forces.end(), result.otherForces.begin(), result.otherForces.end());
+    }
+    return addCrushingHinges(joints, forces, tolerance);
+}
+
 /// By how much of itself a multiplier may exceed the bound of its mechanism; none where points are not added
 /// for that.
 std::optional<double> refinementTolerance(const LimitAnalysisCase<3>& structure)
@@ -103,7 +117,8 @@ bool addPoints(LimitAnalysisCase<2>& structure, const std::vector<LimitAnalysis>
         return false;
     }
     JointPoints<2> joints{structure.points, structure.friction, structure.program.strength};
-    if (!addHinges(joints, results, std::max(hingeTolerance, 10 * structure.solution.tolerance)))
+    const double exact = std::max(hingeTolerance, 10 * structure.solution.tolerance);
+    if (!addHinges(joints, results, exact) && !addOtherHinges(joints, results, exact))
     {
         return false;
     }
@@ -139,7 +154,9 @@ bool addPoints(LimitAnalysisCase<3>& structure, const std::vector<LimitAnalysis>
             isAny = true;
         }
     }
-    isAny = isAny || addAt(structure.isRefined ? std::max(exact, 0.1 * *refinement) : exact);
+    const double finest = structure.isRefined ? std::max(exact, 0.1 * *refinement) : exact;
+    isAny = isAny || addAt(finest)
+            || (structure.program.hasCrushing() && addOtherHinges(joints, results, finest));
     if (isAny)
     {
         structure.patches = std::move(joints.patches);

@@ -46,6 +46,18 @@ bool takeFall(LimitAnalysis& result, const ConeProgram<Rows, Forces>& dead, cons
     return true;
 }
 
+/// Keeps forces that joints have to bear besides those of collapse. Where none crush, points show that they
+/// do.
+template<int Rows, int Forces>
+void keepOtherForces(LimitAnalysis& result, const ConeProgram<Rows, Forces>& program,
+                     const Eigen::VectorXd& forces)
+{
+    if (program.hasCrushing())
+    {
+        result.otherForces.push_back(forces);
+    }
+}
+
 /// Whether forces, where a solver has come by some, carry the dead load alone. 0 <= alpha does not say so:
 /// the live load may be what holds the structure up.
 template<int Rows, int Forces>
@@ -111,7 +123,11 @@ LimitAnalysis completedAnalysis(const ConeProgram<Rows, Forces>& program, const 
         return result;
     }
     // Else forces for the dead load are sought. Where no multiplier was found, that may be why.
-    if (!isInfeasible && !isCarried(dead, solution.forceOfLoadAlone, settings.tolerance))
+    if (!isInfeasible && isCarried(dead, solution.forceOfLoadAlone, settings.tolerance))
+    {
+        keepOtherForces(result, dead, solution.forceOfLoadAlone);
+    }
+    else if (!isInfeasible)
     {
         const ConeSolution resting = solveInteriorPoint(dead, settings, &kept);
         addWork(result, resting);
@@ -120,6 +136,10 @@ LimitAnalysis completedAnalysis(const ConeProgram<Rows, Forces>& program, const 
         if (falls || (isAnswered && resting.status == SolveStatus::notConverged))
         {
             return result;
+        }
+        if (resting.status == SolveStatus::optimal)
+        {
+            keepOtherForces(result, dead, resting.contactForce);
         }
     }
     result.certificate = certify(program, solution);
@@ -144,9 +164,9 @@ LimitAnalysis completedAnalysis(const ConeProgram<Rows, Forces>& program, const 
 }
 
 template<int Rows, int Forces>
-std::optional<MultiplierRange> multipliersThatHold(const ConeProgram<Rows, Forces>& program,
-                                                   const InteriorPointSettings& settings,
-                                                   SymbolicAnalysis& kept)
+std::optional<MultiplierRange>
+multipliersThatHold(const ConeProgram<Rows, Forces>& program, const InteriorPointSettings& settings,
+                    SymbolicAnalysis& kept, std::vector<Eigen::VectorXd>* forces)
 {
     ConeProgram<Rows, Forces> directed = program;
     const auto farthest = [&]() -> std::optional<double>
@@ -156,7 +176,15 @@ std::optional<MultiplierRange> multipliersThatHold(const ConeProgram<Rows, Force
         {
             return std::numeric_limits<double>::infinity();
         }
-        return solution.status == SolveStatus::optimal ? std::optional(solution.multiplier) : std::nullopt;
+        if (solution.status != SolveStatus::optimal)
+        {
+            return std::nullopt;
+        }
+        if (forces)
+        {
+            forces->push_back(solution.contactForce);
+        }
+        return solution.multiplier;
     };
     const std::optional<double> largest = farthest();
     directed.liveLoad *= -1;
@@ -174,10 +202,12 @@ template LimitAnalysis solveLimitAnalysis(const SpaceConeProgram& program,
                                           const InteriorPointSettings& settings, SymbolicAnalysis* kept);
 template std::optional<MultiplierRange> multipliersThatHold(const PlaneConeProgram& program,
                                                             const InteriorPointSettings& settings,
-                                                            SymbolicAnalysis& kept);
+                                                            SymbolicAnalysis& kept,
+                                                            std::vector<Eigen::VectorXd>* forces);
 template std::optional<MultiplierRange> multipliersThatHold(const SpaceConeProgram& program,
                                                             const InteriorPointSettings& settings,
-                                                            SymbolicAnalysis& kept);
+                                                            SymbolicAnalysis& kept,
+                                                            std::vector<Eigen::VectorXd>* forces);
 template LimitAnalysis completedAnalysis(const PlaneConeProgram& program, const ConeSolution& solution,
                                          const InteriorPointSettings& settings, SymbolicAnalysis& kept);
 template LimitAnalysis completedAnalysis(const SpaceConeProgram& program, const ConeSolution& solution,

@@ -80,6 +80,9 @@ struct LimitAnalysis : SolverWork
     /// For `unstable`, where the live load holds the structure up: the multipliers with which it stands by
     /// the associative law, all of one sign.
     std::optional<MultiplierRange> held;
+    /// Where joints crush: what else they have to bear for this answer, (n, t) of each contact point [N]. The
+    /// forces of the dead load alone, and those at the ends of `held`.
+    std::vector<Eigen::VectorXd> otherForces;
     std::string combination; ///< of loads that this is the answer for; empty where there is one only
     int position = -1;       ///< of a moving load, index into CaseLoads::positions; -1: it does not move
     std::optional<CoulombRange>
@@ -116,10 +119,11 @@ LimitAnalysis solveLimitAnalysis(const ConeProgram<Rows, Forces>& program,
                                  SymbolicAnalysis* kept = nullptr);
 
 /// The multipliers with which a structure stands that may be `unstable` without its live load: both ends of
-/// the interval, by one program each. \return nothing where it stands with none, or the solver has no answer
+/// the interval, by one program each. \param forces gets those of both ends, of each that is finite
+/// \return nothing where it stands with none, or the solver has no answer
 template<int Rows, int Forces>
-std::optional<MultiplierRange> multipliersThatHold(const ConeProgram<Rows, Forces>& program,
-                                                   const InteriorPointSettings& settings,
-                                                   SymbolicAnalysis& kept);
+std::optional<MultiplierRange>
+multipliersThatHold(const ConeProgram<Rows, Forces>& program, const InteriorPointSettings& settings,
+                    SymbolicAnalysis& kept, std::vector<Eigen::VectorXd>* forces = nullptr);
 
 } // namespace drystone

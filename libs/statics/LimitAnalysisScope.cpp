@@ -2,7 +2,10 @@
 /// One refusal for each combination of entries that is not formulated, with the entry to change.
 #include "statics/LimitAnalysisScope.h"
 
+#include "core/Error.h"
 #include "effects/JointLaws.h"
+
+#include <fmt/format.h>
 
 namespace drystone
 {
@@ -28,6 +31,9 @@ void requireSurfaceContact(const LimitAnalysisCase<2>& structure)
                            place);
     }
 }
+
+/// Steps of this part of the mean block size are too long for a curve to be one.
+constexpr double longStep = 0.5;
 
 /// Refuses what a capacity curve does not follow.
 template<int Dim>
@@ -66,6 +72,16 @@ void requirePushover(const LimitAnalysisCase<Dim>& structure)
             "pushover measures displacements in the direction of the live load, which has moments "
             "only. Remove pushover, or add a force to the live load of constant/loads.",
             place);
+    }
+    const double size = meanBlockSize(structure.assembly);
+    if (structure.pushover->step > longStep * size)
+    {
+        printWarning(
+            fmt::format("A step of {:g} m is long for blocks of {:.3g} m: blocks pass what they would "
+                        "meet, and the end of the curve is that of no structure. Write for instance "
+                        "`step {:.1g};`.",
+                        structure.pushover->step, size, size / 50),
+            structure.solutionLocations.of("pushover/step"));
     }
 }
 

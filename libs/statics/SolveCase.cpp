@@ -109,7 +109,8 @@ LimitAnalysis solveByAssociativeLaw(const LimitAnalysisCase<Dim>& structure, Kep
     LimitAnalysis result = solveLimitAnalysis(structure.program, solver, &kept.symbolic);
     if (result.status == CollapseStatus::unstable)
     {
-        result.held = multipliersThatHold(structure.program, solver, kept.symbolic);
+        std::vector<Eigen::VectorXd>* ends = structure.program.hasCrushing() ? &result.otherForces : nullptr;
+        result.held = multipliersThatHold(structure.program, solver, kept.symbolic, ends);
     }
     return result;
 }

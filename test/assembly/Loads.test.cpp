@@ -57,7 +57,7 @@ TEST(Loads, GravityActsOnFreeBlocksAtTheirCentroids)
 
 TEST(Loads, InertialLoadIsTheOwnWeightWhateverTheLengthOfTheDirection)
 {
-    for (const double length : {1e-3, 1.0, 1e3})
+    for (const double length : {1e-300, 1e-3, 1.0, 1e3, 1e300})
     {
         const Eigen::VectorXd load = inertialLoad(twoOnGround(), {7, 2, 3}, {0, -10}, {length, 0});
         EXPECT_NEAR(load(0), 20, 1e-13);

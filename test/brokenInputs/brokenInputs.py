@@ -425,6 +425,8 @@ brokenInputs = [
            earlier={dictionary: polygons}),
     inAnalysis("forceBesideTheWall", "constant/loads", "type inertial;\n    direction (1 0 0);",
                "type force;\n    at (50 50);@@\n    value (0 -1 0);", r"(?i)block", lines=(4, 5)),
+    inAnalysis("forceOfNothing", "constant/loads", "type inertial;\n    direction (1 0 0);",
+               "type force; at (1 0.5); value (0 1e-300 0);@@", r"A force of 1e-300 N cannot be computed with"),
     inAnalysis("forceOnAJoint", "constant/loads", "type inertial;\n    direction (1 0 0);",
                "type force;\n    at (0.6 0.0875);@@\n    value (0 -1 0);", r"on the joint of blocks \d+ and \d+", r"block \d+;",
                lines=(5,)),
@@ -672,6 +674,14 @@ brokenInputs = [
     inSearch("longFileName", "constant/contactProperties", "x" * 300, r"There is no file x+ in this case"),
     inSearch("fileOutside", "constant/contactProperties", "../contactProperties", r"within the case"),
     inSearch("emptyBounds", "(0.3 1)", "(1 0.3)", r"lower one first"),
+    inSearch("endlessBounds", "(0.3 1)", "(-1e308 1e308)", r"too wide for numbers"),
+    inSearch("entryTwice", "variables\n{", "variables\n{\n    nu { file \"./constant/contactProperties\"; entry \"friction/mu\"; "
+             "bounds (0 1); }", r"Two variables set friction/mu of constant/contactProperties", lines=(2,)),
+    inSearch("longFirstStep", "COBYLA", "BOBYQA", r"firstStep of mu can be 0\.5 at most", lines=(20,),
+             files={"system/parameterSearchDict": searching.replace("(0.3 1);", "(0.3 1); firstStep 0.6;")
+                    .replace("constraints { strong { value mu; atLeast 0.4; } }\n", "")}),
+    inSearch("smallPopulation", "algorithm COBYLA;", "algorithm CRS2_LM; population 1;", r"population .*2 or more", lines=(20,),
+             files={"system/parameterSearchDict": searching.replace("constraints { strong { value mu; atLeast 0.4; } }\n", "")}),
     inSearch("startOutside", "bounds (0.3 1);", "bounds (0.3 1); start 2;@@", r"outside the bounds"),
     inSearch("unknownName", "value alpha", "value \"alpha + beta\"", r"beta", r"Variables and results: mu alpha",
              lines=(19,)),

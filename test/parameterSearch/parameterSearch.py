@@ -121,7 +121,9 @@ class ParameterSearch(CaseTest):
         self.assertIn("no finite number for the result alpha at angle = -8", done.stderr)
         self.assertRegex(done.stderr, r"parameterSearchDict\S* at line 5")
         self.set(case, bounds="-90 -80", algorithm="DIRECT_L", evaluations="4", otherwise="otherwise 10;")
-        self.assertIn("Least alpha = 10", self.run_(case).stdout)
+        done = self.run_(case)
+        self.assertIn("Least alpha = 10", done.stdout)
+        self.assertRegex(done.stderr, r"The best point has no alpha: 10 is its `otherwise`[^$]*otherwise at line 5")
 
     def testAColumnThatThereIsNotIsToldWithThoseThatThereAre(self):
         case = self.case("column", column="beta")
@@ -183,6 +185,12 @@ class ParameterSearch(CaseTest):
         done = self.run_(case, status=2)
         self.assertIn("No point that was tried meets the constraints", done.stdout)
         self.assertNotIn("Least alpha", done.stdout)
+
+    def testABisectionSaysThatNeitherBoundMeetsTheConstraints(self):
+        case = self.case("beyond", constraints="constraints { strong { value alpha; atLeast 100; } }",
+                         algorithm="bisection", bounds="0 20")
+        done = self.run_(case, status=2)
+        self.assertIn("not converged: neither bound meets the constraints", done.stdout)
 
     def testADryRunReadsTheCaseThatIsVaried(self):
         case = self.case("dryFault")

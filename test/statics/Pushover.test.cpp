@@ -3,9 +3,15 @@
 #include "statics/Pushover.h"
 #include "Structures.h"
 
+#include "assembly/AssemblyFile.h"
+#include "statics/SolveCase.h"
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 using namespace drystone;
 
@@ -121,6 +127,31 @@ TEST(Pushover, OfAWallStartsAtItsCollapseMultiplierAndEndsAtZero)
             EXPECT_LE(point.worst, 1e-6);
         }
     }
+}
+
+TEST(Pushover, StepsAsLongAsBlocksAreQuestioned)
+{
+    const auto directory = std::filesystem::path(testing::TempDir()) / "longSteps";
+    std::filesystem::create_directories(directory / "constant/assembly");
+    std::filesystem::create_directories(directory / "system");
+    const auto write = [&](const std::string& file, const std::string& text)
+    { std::ofstream(directory / file) << text; };
+    write("constant/assembly/blocks", assemblyText(monolith().assembly));
+    write("constant/g", "value (0 -9.81 0);");
+    write("constant/materialProperties", "density 2000;");
+    write("constant/contactProperties", "friction { type Coulomb; mu 0.65; }");
+    write("constant/loads", "dead { type gravity; } live { type inertial; direction (1 0 0); }");
+    for (const double step : {0.01, 10.0})
+    {
+        write("system/solution", fmt::format("limitAnalysis\n{{\n    pushover {{ step {}; }}\n}}\n", step));
+        testing::internal::CaptureStderr();
+        readLimitAnalysisCase<2>(directory);
+        const std::string said = testing::internal::GetCapturedStderr();
+        EXPECT_EQ(said.find("A step of 10 m is long for blocks of 1 m") != std::string::npos, step > 1)
+            << said;
+        EXPECT_EQ(said.find("pushover/step at line 3") != std::string::npos, step > 1) << said;
+    }
+    std::filesystem::remove_all(directory);
 }
 
 TEST(Pushover, StepsWhoseMiddleIsNotSolvedAreCounted)
