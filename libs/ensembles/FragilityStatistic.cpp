@@ -455,6 +455,8 @@ Model<Statistic> fragilityStatistic()
         [](const FragilitySettings& settings, const Dictionary& dictionary)
         {
             Statistic statistic;
+            statistic.curve = settings.curve.value_or("");
+            statistic.curveLocation = dictionary.locationOf("curve");
             statistic.check =
                 [settings, intensity = dictionary.locationOf("intensity"),
                  exceeded = dictionary.locationOf("exceeded"),
