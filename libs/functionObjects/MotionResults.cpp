@@ -137,7 +137,12 @@ Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const Dy
     refuseOtherTime(then, time, file);
     time.resume(then);
     compareWithInput(saved, inputOfMotion(caseDirectory, scene.assembly, time, time.beginningName()), time);
-    return motionOf(scene, saved);
+    Motion<Dim> motion = motionOf(scene, saved);
+    if (saved.isEdited)
+    {
+        refuseEditedPlaces(scene, motion.state.placements, {file.string(), "translation", 1});
+    }
+    return motion;
 }
 
 template<int Dim>

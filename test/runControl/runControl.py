@@ -496,6 +496,22 @@ class RunControl(CaseTest):
         self.control(case)
         self.assertRegex(self.run_(case, status=1).stderr, r"(?s)0\.3 has the state of time 0\.2.*0\.3/state")
 
+    def testAnEditedStateOfBlocksInEachOtherIsRefused(self):
+        case = self.copy("edited", endTime="0.2")
+        self.run_(case)
+        self.control(case)
+        written = self.read(case, "0.2/state")
+        numbers = re.search(r"\ntranslation (\d+)\n\(\n(.*?)\n\);", written, re.S)
+        for number, value, says in ((-1, -0.3, r"block \d is 0\.3\d* m deep in block \d"),
+                                    (0, 0.3, r"block 0 \(support ground\) is not where it was built")):
+            values = numbers[2].split("\n")
+            values[number] = str(float(values[number]) + value)
+            self.write(case, "0.2/state", re.sub(r"\nchecksum \S+;\n", "",
+                                                 written.replace(numbers[2], "\n".join(values))))
+            self.assertRegex(self.run_(case, status=1).stderr, rf"(?s){says}.*0\.2/state")
+        self.write(case, "0.2/state", re.sub(r"\nchecksum \S+;\n", "", written))
+        self.run_(case)
+
     def testPostProcessWritesOverNoTableOfARun(self):
         functions = "{ energy { writeControl timeStep; writeInterval 1; } }"
         case = self.copy("postTwice", endTime="0.2", functions=functions)
