@@ -177,6 +177,10 @@ MotionResults<Dim>::MotionResults(std::filesystem::path directory, const Dynamic
     {
         functionList.questionTimes(time.controls().endTime, time.controls().deltaT);
     }
+    if (time.startName() == time.beginningName())
+    {
+        functionList.questionTimesBeforeMotion();
+    }
     time.stopAlsoAt([this](double value, double deltaT)
                     { return functionList.timeToNextWrite(value, deltaT); });
     chooseFirstTimeStep(scene, motion, time);
