@@ -157,6 +157,33 @@ class RunControl(CaseTest):
         self.run_(parts)
         self.assertEqual(self.state(parts), self.state(once))
 
+    def testElasticJointsKeepTheirShearWhereCornersPassEachOther(self):
+        """A block that swings on springs of shear, on a base as wide as itself but for 0.1 mm, and on a wide one."""
+        ways = {}
+        for name, half in (("passing", 0.5001), ("wide", 3)):
+            case = self.copy(name, endTime="0.1", deltaT="5e-4",
+                             functions="{ blockMotion { blocks (1); writeControl timeStep; } }")
+            self.write(case, "system/blockTextureDict", header % "blockTextureDict" + f"""
+                dimensions 2;
+                texture
+                {{
+                    type polygons; thickness 1;
+                    blocks (((-{half} -1) ({half} -1) ({half} 0) (-{half} 0)) ((-0.5 0) (0.5 0) (0.5 1) (-0.5 1)));
+                }}
+                supports {{ ground {{ type blocks; blocks (0); }} }}
+                """)
+            self.write(case, "constant/contactProperties", header % "contactProperties" +
+                       "friction { type Coulomb; mu 0.8; flowRule nonAssociative; }\n"
+                       "elasticity { normal 1e7; tangential 5e6; }\n")
+            self.write(case, "0/motion", header % "motion" + '"1" { velocity (0.02 0); displacement (0 -1e-3); }\n')
+            made = subprocess.run([os.path.join(applications, "blockTexture"), "-case", case], capture_output=True,
+                                  text=True, check=False)
+            self.assertEqual(made.returncode, 0, made.stderr)
+            self.run_(case)
+            ways[name] = [float(row[1]) for row in self.rows(case, "blockMotion/0/block1.dat")]
+        for extreme in (max, min):
+            self.assertAlmostEqual(extreme(ways["passing"]) / extreme(ways["wide"]), 1, delta=0.02)
+
     def testABoxThatLeavesOutBlocksWhereTheyWereBuiltIsDoubted(self):
         case = self.copy("box", endTime="0.01")
         contact = header % "contactProperties" + "friction { type Coulomb; mu 0.3; }\ndeletion { box ((%s -10) (50 50)); }\n"
