@@ -43,6 +43,44 @@ std::vector<int> pointsAmong(const std::vector<ContactPoint<Dim>>& earlier,
     return old;
 }
 
+/// Whether one end of a joint of the plane has become the other block's corner, as where blocks of one width
+/// slide over each other: each corner is an end of the edge that the other one was against.
+bool havePassedEachOther(const ContactFeature& a, const ContactFeature& b)
+{
+    // Edge i runs from corner i to the next one, and the last edge to corner 0.
+    const auto isEnd = [](int vertex, int edge)
+    { return vertex == edge || vertex == edge + 1 || (vertex == 0 && edge > 1); };
+    return a.vertexBlock != b.vertexBlock && isEnd(a.vertex, b.edge) && isEnd(b.vertex, a.edge);
+}
+
+/// Adds the points of a step that were another corner's in the one before: they are at its place, and springs
+/// there keep their shear. \param old as pointsAmong has found it
+void addPointsPassed(const std::vector<ContactPoint<2>>& earlier, const std::vector<ContactPoint<2>>& points,
+                     std::vector<int>& old)
+{
+    std::vector<char> isTaken(earlier.size(), 0);
+    for (const int there : old)
+    {
+        if (there >= 0)
+        {
+            isTaken[static_cast<std::size_t>(there)] = 1;
+        }
+    }
+    for (std::size_t point = 0; point < points.size(); ++point)
+    {
+        for (std::size_t there = 0; old[point] < 0 && there < earlier.size(); ++there)
+        {
+            if (!isTaken[there] && earlier[there].block == points[point].block
+                && earlier[there].neighbour == points[point].neighbour
+                && havePassedEachOther(earlier[there].feature, points[point].feature))
+            {
+                isTaken[there] = 1;
+                old[point] = static_cast<int>(there);
+            }
+        }
+    }
+}
+
 /// What earlier points had, Dim numbers each, at those of this step; zero where a point is new.
 /// \param valueOf an earlier point
 template<int Dim, typename ValueOf>
@@ -60,10 +98,19 @@ Eigen::VectorXd atPoints(const std::vector<int>& old, const ValueOf& valueOf)
 }
 
 /// A step's guess: where the blocks are heading, and what the last step knew of its points.
+/// \param areElastic the points are springs, whose forces are not a guess
 template<int Dim>
-StepGuess guessFrom(const Motion<Dim>& motion, const std::vector<ContactPoint<Dim>>& points, double timeStep)
+StepGuess guessFrom(const Motion<Dim>& motion, const std::vector<ContactPoint<Dim>>& points, double timeStep,
+                    bool areElastic)
 {
-    const std::vector<int> old = pointsAmong<Dim>(motion.points, points, !motion.contacts);
+    std::vector<int> old = pointsAmong<Dim>(motion.points, points, !motion.contacts);
+    if constexpr (Dim == 2)
+    {
+        if (areElastic && motion.contacts)
+        {
+            addPointsPassed(motion.points, points, old);
+        }
+    }
     const auto of = [](const Eigen::VectorXd& values)
     { return [&values](int point) { return values.segment<Dim>(Dim * point); }; };
     StepGuess guess;
@@ -87,7 +134,8 @@ void assemble(Step<Dim>& step)
     step.program = thetaStepProgram(step.mass, step.motion.state.velocity, step.load, step.points,
                                     step.columns, frictionAt(step.scene, step.points), step.scheme);
     step.loadAtStart = step.program.load;
-    step.guess = guessFrom(step.motion, step.points, step.scheme.timeStep);
+    step.guess =
+        guessFrom(step.motion, step.points, step.scheme.timeStep, traitsOf(step.scene.effects).isCompliant);
     if (step.attemptForces && !step.attemptForces->start.forces.empty())
     {
         const PointForces<Dim>& start = step.attemptForces->start;

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Checks of 0/motion against the blocks.
+/// Checks of 0/motion, and of edited states, against the blocks.
 #include "dynamics/StartCheck.h"
 
 #include "assembly/BlockShape.h"
@@ -24,6 +24,12 @@ namespace
 /// Radians or block sizes that are no motion but a mistake in writing.
 constexpr double mostInAStep = 1e9;
 
+template<int Dim>
+bool isDisplaced(const Placement<Dim>& placement)
+{
+    return !rowsOf(placement.rotation).isZero(0) || !placement.translation.isZero(0);
+}
+
 } // namespace
 
 template<int Dim>
@@ -40,9 +46,7 @@ void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placem
     {
         return;
     }
-    const auto isDisplaced = [&](int block)
-    { return !rowsOf(placements[block].rotation).isZero(0) || !placements[block].translation.isZero(0); };
-    const int displaced = isDisplaced(deepest.block) ? deepest.block : deepest.neighbour;
+    const int displaced = isDisplaced(placements[deepest.block]) ? deepest.block : deepest.neighbour;
     const int other = displaced == deepest.block ? deepest.neighbour : deepest.block;
     if (isElastic && deepest.depth <= mayEnterElastic * meanBlockSize(assembly))
     {
@@ -62,6 +66,45 @@ void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placem
             blockName(assembly, displaced), deepest.depth, blockName(assembly, other),
             Dim == 2 ? "x y" : "x y z"),
         places[static_cast<std::size_t>(displaced)]);
+}
+
+template<int Dim>
+void refuseEditedPlaces(const DynamicCase<Dim>& scene, const std::vector<Placement<Dim>>& placements,
+                        const SourceLocation& place)
+{
+    const Assembly<Dim>& assembly = scene.assembly;
+    const EffectTraits traits = traitsOf(scene.effects);
+    for (std::size_t block = 0; block < placements.size(); ++block)
+    {
+        if (assembly.blocks[block].support >= 0 && !traits.movesSupports && isDisplaced(placements[block]))
+        {
+            throw FatalIOError(
+                fmt::format("In this state {} is not where it was built, though constant/supportMotion moves "
+                            "no support.\n\nCorrect its translation and rotation, which are 0.",
+                            blockName(assembly, static_cast<int>(block))),
+                place);
+        }
+    }
+    // The geometry is the one as built, or blocks that left the box lie where they did, whatever is there.
+    const std::vector<std::string>& simulated = scene.effectNames.simulated;
+    if (scene.schemes.smallDisplacements
+        || std::find(simulated.begin(), simulated.end(), "deletion") != simulated.end())
+    {
+        return;
+    }
+    const double asBuilt = penetration(assembly, std::vector<Placement<Dim>>(assembly.blocks.size())).depth;
+    const double share = traits.isCompliant ? mayEnterElastic : MovingContactOptions{}.mayEnter;
+    const Penetration deepest = penetration(assembly, placements);
+    if (deepest.depth > asBuilt + share * meanBlockSize(assembly))
+    {
+        throw FatalIOError(
+            fmt::format("In this state {} is {:.3g} m deep in {}. Blocks may touch, but not share "
+                        "space.\n\nCorrect translation and rotation, or remove the time "
+                        "directory to start from an earlier one.",
+                        blockName(assembly, deepest.block), deepest.depth,
+                        blockName(assembly, deepest.neighbour)),
+            place);
+    }
 }
 
 template<int Dim>
@@ -176,6 +219,10 @@ template void refuseStartOverlaps(const Assembly<2>& assembly, const std::vector
                                   const std::vector<SourceLocation>& places, bool isElastic);
 template void refuseStartOverlaps(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
                                   const std::vector<SourceLocation>& places, bool isElastic);
+template void refuseEditedPlaces(const DynamicCase<2>& scene, const std::vector<Placement<2>>& placements,
+                                 const SourceLocation& place);
+template void refuseEditedPlaces(const DynamicCase<3>& scene, const std::vector<Placement<3>>& placements,
+                                 const SourceLocation& place);
 template void questionRotation(const BlockStart<2>& start, const SourceLocation& place);
 template void questionRotation(const BlockStart<3>& start, const SourceLocation& place);
 

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Whether blocks can start where 0/motion puts them, and where they were built.
+/// Whether blocks can start where 0/motion or an edited state puts them, and where they were built.
 #pragma once
 
 #include "assembly/Assembly.h"
@@ -18,6 +18,13 @@ namespace drystone
 template<int Dim>
 void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placement<Dim>>& placements,
                          const std::vector<SourceLocation>& places, bool isElastic);
+
+/// Refuses the places of a state that was edited where a run leaves no blocks: deeper in each other than
+/// motion allows, or fixed ones that nothing moves away from where they were built.
+/// \param place of the state \throws FatalIOError with the blocks
+template<int Dim>
+void refuseEditedPlaces(const DynamicCase<Dim>& scene, const std::vector<Placement<Dim>>& placements,
+                        const SourceLocation& place);
 
 /// Warns of a rotation beyond a quarter of a turn, which looks like degrees.
 template<int Dim>

@@ -78,7 +78,8 @@ Eigen::Vector3d toVector(const std::array<double, 3>& components)
     return {components[0], components[1], components[2]};
 }
 
-/// In space directions have all components, since (0 1) is upwards in the plane; there they lie in it.
+} // namespace
+
 void requireComponents(const Dictionary& dictionary, int dimensions)
 {
     if (const Entry* direction = dictionary.find("direction"))
@@ -93,8 +94,6 @@ void requireComponents(const Dictionary& dictionary, int dimensions)
         }
     }
 }
-
-} // namespace
 
 constexpr const char* noLength = "The direction has no length. Write for instance `direction (1 0 0);`.";
 

@@ -70,6 +70,11 @@ struct GroundMotionSettings
 };
 void declare(Options& options, GroundMotionSettings& settings);
 
+/// In space directions have all components, since (0 1) is upwards in the plane; there they lie in it.
+/// \param dictionary with a `direction`, or none, and such dictionaries in `components`, or none
+/// \throws FatalIOError with the place of one that has not
+void requireComponents(const Dictionary& dictionary, int dimensions);
+
 /// The motion that constant/groundMotion describes, with its records read.
 /// \param dimensions of the case: in space a direction needs all three numbers
 /// \throws FatalIOError for what is wrong with the dictionary or with a file it names

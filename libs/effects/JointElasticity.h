@@ -24,7 +24,8 @@ void declare(Options& options, Elasticity& elasticity);
 /// Energy: where a point stays closed, c1'(A'y) = c1'C (c1 - c0), which is the change of 1/2 c'Cc and
 /// 1/2 (c1 - c0)'C (c1 - c0), a loss of the time integration (theta 1).
 ///
-/// The shear of a point that moves past a corner, and so becomes another one, starts again from none.
+/// The shear of a point that moves past a corner, and so becomes another one, starts again from none, unless
+/// both are ends of one joint of the plane, as of blocks of one width that slide over each other.
 template<int Dim>
 class JointElasticity final : public Effect<Dim>
 {

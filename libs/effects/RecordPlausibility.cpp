@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace drystone
 {
@@ -19,6 +20,10 @@ constexpr double strongestRecord = 20;
 constexpr double strongestInG = 1;
 /// The part of the peak velocity that may be left when a record ends: corrected records leave some percent.
 constexpr double velocityLeft = 0.1;
+
+/// An interval that is so many times the median one lacks rows: those of records that were digitised by hand,
+/// at their peaks, differ by less.
+constexpr double longestInterval = 20;
 
 /// Whether a factor is a multiple of g in m/s2 or cm/s2, or its inverse.
 bool convertsFromG(double scale)
@@ -40,6 +45,42 @@ std::pair<double, double> lastAndPeakVelocity(const GroundAcceleration& history,
         peak = std::max(peak, std::abs(velocity));
     }
     return {velocity, peak};
+}
+
+/// Where a record has no values, and its median interval [s].
+struct RecordGap
+{
+    double from = 0;
+    double to = 0;
+    double usual = 0;
+};
+
+/// The longest gap of a record, but for stillness, which has a value at either end. \return nothing where its
+/// rows are as far apart as usual
+std::optional<RecordGap> gapOf(const GroundAcceleration& history, const std::vector<double>& kinks)
+{
+    std::vector<double> intervals;
+    for (std::size_t i = 0; i + 1 < kinks.size(); ++i)
+    {
+        intervals.push_back(kinks[i + 1] - kinks[i]);
+    }
+    if (intervals.size() < fewestSamples)
+    {
+        return {};
+    }
+    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+    std::nth_element(intervals.begin(), middle, intervals.end());
+    RecordGap gap{0, 0, *middle};
+    for (std::size_t i = 0; i + 1 < kinks.size(); ++i)
+    {
+        const bool isStill = history.integral(kinks[i], kinks[i + 1]) == 0;
+        if (!isStill && kinks[i + 1] - kinks[i] > std::max(gap.to - gap.from, longestInterval * gap.usual))
+        {
+            gap.from = kinks[i];
+            gap.to = kinks[i + 1];
+        }
+    }
+    return gap.to > gap.from ? std::optional(gap) : std::nullopt;
 }
 
 } // namespace
@@ -90,6 +131,16 @@ std::vector<Doubt> doubtsAboutRecord(const GroundMotion::Component& component, c
              "that the file is complete.",
              acceleration.locationOf("file")});
         return doubts;
+    }
+    if (const std::optional<RecordGap> gap = gapOf(history, kinks))
+    {
+        doubts.push_back(
+            {fmt::format(
+                 "The record has no value between {:g} and {:g} s of the motion, {:.0f} times its usual "
+                 "interval of {:g} s: what the ground does there is interpolated. Check that no rows "
+                 "are missing.",
+                 gap->from, gap->to, (gap->to - gap->from) / gap->usual, gap->usual),
+             acceleration.locationOf("file")});
     }
     const auto [last, largest] = lastAndPeakVelocity(history, kinks);
     if (std::abs(last) > velocityLeft * largest)

@@ -18,8 +18,8 @@ struct Doubt
 };
 
 /// What is improbable of a record: a peak that no earthquake has, a scale that converts a unit which is
-/// converted already, a velocity that is left when the motion ends (the mean acceleration times the
-/// duration).
+/// converted already, rows that are missing, a velocity that is left when the motion ends (the mean
+/// acceleration times the duration).
 /// \param component made from `acceleration`, the sub-dictionary of constant/groundMotion; of another type
 /// than `record` nothing is doubted
 std::vector<Doubt> doubtsAboutRecord(const GroundMotion::Component& component,

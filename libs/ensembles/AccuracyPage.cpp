@@ -209,6 +209,13 @@ std::vector<CheapestRow> cheapestRows(const AccuracyStudy& study, const Accuracy
     return rows;
 }
 
+std::string doubtAbout(const CheapestRow& row, const AccuracyResults& results)
+{
+    const double known = relativeUncertainty(results.references[row.quantity]);
+    return row.point && known > row.level ? fmt::format("the reference is known to {:.2g}% only", 100 * known)
+                                          : "";
+}
+
 std::string accuracyTable(const AccuracyStudy& study, const AccuracyResults& results)
 {
     std::string text = "sweep,quantity,deltaT[s],theta,flowRule,solver,tolerance,pointsPerJoint,"
@@ -260,14 +267,16 @@ std::string accuracyPage(const AccuracyStudy& study, const AccuracyResults& resu
     {
         const StudyQuantity& quantity = study.quantities[row.quantity];
         const bool isMedian = row.measure == ErrorMeasure::median;
+        const std::string doubt = doubtAbout(row, results);
         text += fmt::format("| {} | {} | {} | {} |\n", quantity.name, percentText(row.level),
                             quantity.kind != QuantityKind::motion ? "-"
                             : isMedian                            ? "half"
                                                                   : "all",
                             row.point ? fmt::format(
-                                "{} | {} | {:.3g} | {:.3g}", settingText(row.point->setting, quantity.kind),
+                                "{} | {}{} | {:.3g} | {:.3g}", settingText(row.point->setting, quantity.kind),
                                 errorText(isMedian ? row.point->medianError : row.point->worstError),
-                                row.point->cpuTime, row.point->cpuTime / results.unitsOfWork[row.quantity])
+                                doubt.empty() ? "" : "; " + doubt, row.point->cpuTime,
+                                row.point->cpuTime / results.unitsOfWork[row.quantity])
                                       : "none of those tried | | |");
     }
     text += "\n";

@@ -24,6 +24,10 @@ struct CheapestRow
 /// of the settings with the largest number of phases.
 std::vector<CheapestRow> cheapestRows(const AccuracyStudy& study, const AccuracyResults& results);
 
+/// Where the setting of a row has an error that is below what the reference itself is known to, that; else
+/// empty.
+std::string doubtAbout(const CheapestRow& row, const AccuracyResults& results);
+
 /// accuracyCost.csv: a row for each setting of each sweep.
 std::string accuracyTable(const AccuracyStudy& study, const AccuracyResults& results);
 

@@ -163,14 +163,10 @@ QuantityPlan makeDisplacement(const EndDisplacement& settings, const Dictionary&
         [settings, location = dictionary.locationOf("block"),
          place = dictionary.locationOf("direction")]<int Dim>(const SharedCase<Dim>& study)
         {
-            const Vector<Dim> way = Eigen::Map<const Vector<Dim>>(settings.direction.data());
-            if (!(way.norm() > 0))
-            {
-                throw FatalIOError("The direction has no length in the plane.", place);
-            }
-            return quantityAtTheEnd<Dim>(
-                displacementAlong<Dim>(study->scene->assembly, settings.block, way.normalized(), location),
-                study);
+            return quantityAtTheEnd<Dim>(displacementAlong<Dim>(study->scene->assembly, settings.block,
+                                                                unitDirection<Dim>(settings.direction, place),
+                                                                location),
+                                         study);
         });
     return plan;
 }

@@ -5,6 +5,7 @@
 #include "dictionary/Registry.h"
 #include "ensembles/RunSettings.h"
 
+#include <cmath>
 #include <string>
 
 namespace drystone
@@ -17,6 +18,12 @@ struct Reference
     double uncertainty = 0; ///< estimated error of the reference itself
     std::string text;       ///< where it comes from, for the page
 };
+
+/// The error of a reference itself, relative to it.
+inline double relativeUncertainty(const Reference& reference)
+{
+    return reference.uncertainty / std::abs(reference.value);
+}
 
 /// The contents of `reference { type ...; }`.
 struct ReferencePlan : RunSettingsOf<PerhapsOneOf> ///< of the finest run; absent: the value of the case

@@ -183,11 +183,6 @@ private:
     double spent = 0; ///< [s]
 };
 
-double relativeUncertainty(const Reference& reference)
-{
-    return reference.uncertainty / std::abs(reference.value);
-}
-
 /// The runs that a quantity is compared with, finest last; nothing when a signal has come.
 /// \throws FatalIOError where one of them fails
 std::optional<std::vector<AccuracyPoint>> finestRuns(const AccuracyStudy& study, std::size_t index,
@@ -444,7 +439,7 @@ void printAccuracyResults(const AccuracyStudy& study, const AccuracyResults& res
     for (const CheapestRow& row : cheapestRows(study, results))
     {
         const bool isMotion = study.quantities[row.quantity].kind == QuantityKind::motion;
-        const double known = relativeUncertainty(results.references[row.quantity]);
+        const std::string doubt = doubtAbout(row, results);
         info("{}: {} is reached {}by {}{}", study.quantities[row.quantity].name, percentText(row.level),
              !isMotion                             ? ""
              : row.measure == ErrorMeasure::median ? "for half of the phases "
@@ -453,9 +448,7 @@ void printAccuracyResults(const AccuracyStudy& study, const AccuracyResults& res
                                      settingText(row.point->setting, study.quantities[row.quantity].kind),
                                      row.point->cpuTime)
                        : "none of the settings",
-             row.point && known > row.level
-                 ? fmt::format("; but the reference is known to {:.2g}% only", 100 * known)
-                 : "");
+             doubt.empty() ? "" : "; but " + doubt);
     }
 }
 

@@ -282,12 +282,17 @@ Ensemble readEnsemble(const fs::path& caseDirectory, const std::vector<std::stri
     {
         names.push_back(name);
     }
+    const std::vector<std::string> variables = names;
     for (const auto& [name, figure] : ensemble.settings.results)
     {
         names.push_back(name);
     }
     for (const auto& [name, statistic] : ensemble.settings.statistics)
     {
+        if (!statistic.curve.empty())
+        {
+            requireVariable(statistic.curve, variables, statistic.curveLocation);
+        }
         statistic.check(names, ensemble.settings.design.sensitivity);
     }
     ensemble.plan = planOf(ensemble);

@@ -225,6 +225,8 @@ Model<Statistic> fractilesStatistic()
         [](const FractilesSettings& settings, const Dictionary& dictionary)
         {
             Statistic statistic;
+            statistic.curve = settings.curve;
+            statistic.curveLocation = dictionary.locationOf("curve");
             statistic.check =
                 [settings, intensity = dictionary.locationOf("intensity"),
                  response = dictionary.locationOf("response"),

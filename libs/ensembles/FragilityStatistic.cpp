@@ -84,6 +84,7 @@ struct Observations
     std::size_t failures = 0;
     std::size_t undefined = 0; ///< of these: samples that were run, with no value of `exceeded`
     std::size_t unplaced = 0;  ///< samples without an intensity, where it is a result; in no other list
+    std::size_t numbers = 0;   ///< samples with a value of `exceeded` that is neither 0 nor 1
 };
 
 Observations observationsOf(const FragilitySettings& settings, const SampleTable& table, FailedAs failedAs)
@@ -105,6 +106,7 @@ Observations observationsOf(const FragilitySettings& settings, const SampleTable
         const bool isUnknown = table.isFailed[row] || std::isnan(exceeded[row]);
         found.failures += isUnknown;
         found.undefined += isUnknown && !table.isFailed[row];
+        found.numbers += !isUnknown && exceeded[row] != 0 && exceeded[row] != 1;
         found.intensity.push_back(intensities[row]);
         found.exceeded.push_back(isUnknown ? failedAs == FailedAs::fallen : exceeded[row] != 0);
         if (settings.curve)
@@ -379,6 +381,15 @@ StatisticResult evaluateFragility(const FragilitySettings& settings, const std::
             fmt::format("{} samples count as failed since `{}` is not defined with their values",
                         standing.undefined, settings.exceeded));
     }
+    // A result may be 0 or 1 and a condition by itself, which is known by its values alone.
+    if (standing.numbers > 0)
+    {
+        result.remarks.push_back(fmt::format("`{0}` is a number, not a condition: compare it, as in \"{0} > "
+                                             "0.05\"; in {1} samples it is neither 0 nor 1, and there is no "
+                                             "curve",
+                                             settings.exceeded, standing.numbers));
+        return result;
+    }
     if (std::any_of(standing.intensity.begin(), standing.intensity.end(), [](double x) { return !(x > 0); }))
     {
         result.remarks.push_back(
@@ -444,6 +455,8 @@ Model<Statistic> fragilityStatistic()
         [](const FragilitySettings& settings, const Dictionary& dictionary)
         {
             Statistic statistic;
+            statistic.curve = settings.curve.value_or("");
+            statistic.curveLocation = dictionary.locationOf("curve");
             statistic.check =
                 [settings, intensity = dictionary.locationOf("intensity"),
                  exceeded = dictionary.locationOf("exceeded"),

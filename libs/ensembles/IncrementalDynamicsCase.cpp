@@ -23,6 +23,7 @@ namespace
 constexpr const char* applicationName = "incrementalDynamics";
 
 /// The ground motions, each with a peak that can be scaled.
+template<int Dim>
 std::vector<StudyMotion> studyMotions(const std::filesystem::path& caseDirectory, const GroundMotion& ofCase,
                                       const IncrementalDynamicsSettings& settings,
                                       const Dictionary& dictionary)
@@ -30,6 +31,7 @@ std::vector<StudyMotion> studyMotions(const std::filesystem::path& caseDirectory
     std::vector<StudyMotion> motions;
     for (const auto& [name, record] : settings.records)
     {
+        requireComponents(dictionary.subDict("records").subDict(name), Dim);
         GroundMotion::Component component{
             recordedAcceleration(record.record, caseDirectory),
             Eigen::Map<const Eigen::Vector3d>(record.direction.data()).normalized()};
@@ -43,15 +45,18 @@ std::vector<StudyMotion> studyMotions(const std::filesystem::path& caseDirectory
     for (StudyMotion& motion : motions)
     {
         motion.peak = peakAcceleration(motion.ground);
+        if (!(motion.peak > 0) && settings.records.empty())
+        {
+            throw FatalError("The ground does not move, so that there is nothing to make stronger. Say in "
+                             "constant/groundMotion how it moves (etc/annotated/constant/groundMotion is an "
+                             "example), or give `records` in system/incrementalDynamicsDict.");
+        }
         if (!(motion.peak > 0))
         {
-            throw FatalError(
-                settings.records.empty()
-                    ? "The ground does not move, so that there is nothing to make stronger. Say in "
-                      "constant/groundMotion how it moves (etc/annotated/constant/groundMotion is an "
-                      "example), or give `records` in system/incrementalDynamicsDict."
-                    : fmt::format("The record {} is zero throughout: it cannot be made stronger.",
-                                  motion.name));
+            throw FatalIOError(fmt::format("The record {} is zero throughout: it cannot be made stronger.\n\n"
+                                           "Get a complete copy of it, or leave the record out.",
+                                           motion.name),
+                               dictionary.subDict("records").subDict(motion.name).locationOf("file"));
         }
     }
     return motions;
@@ -156,7 +161,8 @@ IncrementalDynamics<Dim> readIncrementalDynamics(const std::filesystem::path& ca
     study.gravity = study.scene.gravity.norm();
     study.intensity = settings.intensity;
     study.criterion = settings.criterion(study.scene.assembly);
-    study.motions = studyMotions(caseDirectory, groundMotionOf(study.scene.effects), settings, dictionary);
+    study.motions =
+        studyMotions<Dim>(caseDirectory, groundMotionOf(study.scene.effects), settings, dictionary);
     setGroundMotion(study.scene.effects, study.motions.front().ground); // before the effects have states
     study.start = startOrContinue(caseDirectory, study.scene, time);
     for (const StudyMotion& motion : study.motions)

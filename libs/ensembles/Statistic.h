@@ -62,6 +62,10 @@ struct Statistic
     /// \param names of variables and results \throws FatalIOError for a name that is not one of them
     std::function<void(const std::vector<std::string>& names, bool hasSensitivity)> check;
     std::function<StatisticResult(const std::string& name, const SampleTable&)> evaluate;
+    /// What samples of one curve have in common, where there are curves: the name of a variable, not of a
+    /// result.
+    std::string curve;
+    SourceLocation curveLocation;
 };
 
 /// All types: distribution, fragility, fractiles, sensitivity.

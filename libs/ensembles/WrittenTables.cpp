@@ -87,7 +87,7 @@ void requireFunction(const fs::path& caseDirectory, const std::string& name, con
                                ? fmt::format("No application writes a table into postProcessing/{}, and "
                                              "system/controlDict has no functions.",
                                              name)
-                               : unknownWordMessage("function of system/controlDict", name, names),
+                               : unknownWordMessage("controlDict function", name, names),
                            result.locationOf("table"));
     }
 }

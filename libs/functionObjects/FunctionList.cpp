@@ -179,6 +179,24 @@ void FunctionList<Dim>::questionTimes(double endTime, double deltaT) const
 }
 
 template<int Dim>
+void FunctionList<Dim>::questionTimesBeforeMotion() const
+{
+    for (const Function& function : functions)
+    {
+        const std::vector<double>& times = function.plan.times;
+        if (!times.empty() && times.front() <= written)
+        {
+            printWarning(
+                fmt::format("Function {} does not write at {:g} s: the motion begins then or later, and "
+                            "the first that is written is the end of its first step. Remove what is "
+                            "earlier from `times`.",
+                            function.name, times.front()),
+                function.place);
+        }
+    }
+}
+
+template<int Dim>
 void FunctionList<Dim>::writePictures() const
 {
     for (const Function& function : functions)

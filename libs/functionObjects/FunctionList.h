@@ -92,6 +92,9 @@ public:
     /// Warns of functions that write nothing, or not at all their times, in a run with this endTime [s].
     void questionTimes(double endTime, double deltaT) const;
 
+    /// Warns of `times` that have passed when the run begins, which is where its motion does.
+    void questionTimesBeforeMotion() const;
+
     /// Names in the order of the dictionary, for the log; functions that are not enabled are not in the list.
     std::vector<std::string> names() const;
 

@@ -137,7 +137,12 @@ Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const Dy
     refuseOtherTime(then, time, file);
     time.resume(then);
     compareWithInput(saved, inputOfMotion(caseDirectory, scene.assembly, time, time.beginningName()), time);
-    return motionOf(scene, saved);
+    Motion<Dim> motion = motionOf(scene, saved);
+    if (saved.isEdited)
+    {
+        refuseEditedPlaces(scene, motion.state.placements, {file.string(), "translation", 1});
+    }
+    return motion;
 }
 
 template<int Dim>
@@ -171,6 +176,10 @@ MotionResults<Dim>::MotionResults(std::filesystem::path directory, const Dynamic
     if (time.controls().stopAt == StopAt::endTime)
     {
         functionList.questionTimes(time.controls().endTime, time.controls().deltaT);
+    }
+    if (time.startName() == time.beginningName())
+    {
+        functionList.questionTimesBeforeMotion();
     }
     time.stopAlsoAt([this](double value, double deltaT)
                     { return functionList.timeToNextWrite(value, deltaT); });

@@ -230,6 +230,7 @@ State readState(const fs::path& file)
 {
     State state;
     state.file = file;
+    state.isEdited = true;
     try
     {
         const Dictionary dictionary = Dictionary::readFile(file, Expansion::none);
@@ -237,6 +238,7 @@ State readState(const fs::path& file)
         {
             if (entry.keyword() == "FoamFile" || entry.keyword() == checksumKey)
             {
+                state.isEdited = state.isEdited && entry.keyword() != checksumKey;
                 continue;
             }
             // The grammar's keywords may hold brackets, which would not read back as they are written.

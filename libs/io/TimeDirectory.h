@@ -23,6 +23,7 @@ struct State
     std::map<std::string, std::vector<double>> arrays;
     std::map<std::string, std::vector<std::string>> texts; ///< without quotes and line ends; no list is empty
     std::filesystem::path file; ///< where it was read from, for messages; empty before
+    bool isEdited = false;      ///< read without a checksum: edited on purpose, or of an older version
 };
 
 /// A scalar of the state.

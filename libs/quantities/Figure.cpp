@@ -64,19 +64,6 @@ Figure instantFigure(std::string unit, Take take, Make make)
     return figure;
 }
 
-/// A direction of a dictionary in the space of an assembly, of length 1.
-template<int Dim>
-Vector<Dim> unitDirection(const std::array<double, 3>& direction, const SourceLocation& location)
-{
-    const Vector<Dim> inSpace = Eigen::Map<const Vector<3>>(direction.data()).head<Dim>();
-    if (!(inSpace.norm() > 0))
-    {
-        throw FatalIOError(
-            fmt::format("The direction has no length in {}.", Dim == 2 ? "the plane" : "space"), location);
-    }
-    return inSpace.normalized();
-}
-
 void declareTake(Options& options, Take& take)
 {
     options.optional("take", take,

@@ -112,6 +112,23 @@ InstantFigure<Dim> displacementOf(const Assembly<Dim>& assembly, std::optional<i
 }
 
 template<int Dim>
+Vector<Dim> unitDirection(const std::array<double, 3>& direction, const SourceLocation& location)
+{
+    const Vector<Dim> inSpace = Eigen::Map<const Vector<3>>(direction.data()).head<Dim>();
+    if (!(inSpace.norm() > 0))
+    {
+        throw FatalIOError(
+            fmt::format("The direction has no length in {}.", Dim == 2 ? "the plane" : "space"), location);
+    }
+    if (Dim == 2 && direction[2] != 0)
+    {
+        throw FatalIOError("The third component of direction must be 0: the structure lies in the x-y plane.",
+                           location);
+    }
+    return inSpace.normalized();
+}
+
+template<int Dim>
 InstantFigure<Dim> displacementAlong(const Assembly<Dim>& assembly, int block, const Vector<Dim>& direction,
                                      const SourceLocation& location)
 {
@@ -246,6 +263,7 @@ double ReturnWatch::timeToUpright(double timeStep) const
 template InstantFigure<2> farthestCorner(const Assembly<2>& assembly, const SourceLocation& location);
 template InstantFigure<2> displacementOf(const Assembly<2>& assembly, std::optional<int> block,
                                          const SourceLocation& location);
+template Vector<2> unitDirection<2>(const std::array<double, 3>& direction, const SourceLocation& location);
 template InstantFigure<2> displacementAlong(const Assembly<2>& assembly, int block,
                                             const Vector<2>& direction, const SourceLocation& location);
 template InstantFigure<2> rotationOf(const Assembly<2>& assembly, std::optional<int> block,
@@ -258,6 +276,7 @@ template std::size_t freeBlock(const Assembly<2>& assembly, int block, const Sou
 template InstantFigure<3> farthestCorner(const Assembly<3>& assembly, const SourceLocation& location);
 template InstantFigure<3> displacementOf(const Assembly<3>& assembly, std::optional<int> block,
                                          const SourceLocation& location);
+template Vector<3> unitDirection<3>(const std::array<double, 3>& direction, const SourceLocation& location);
 template InstantFigure<3> displacementAlong(const Assembly<3>& assembly, int block,
                                             const Vector<3>& direction, const SourceLocation& location);
 template InstantFigure<3> rotationOf(const Assembly<3>& assembly, std::optional<int> block,

@@ -5,6 +5,7 @@
 
 #include "dynamics/Motion.h"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -36,6 +37,11 @@ InstantFigure<Dim> farthestCorner(const Assembly<Dim>& assembly, const SourceLoc
 template<int Dim>
 InstantFigure<Dim> displacementOf(const Assembly<Dim>& assembly, std::optional<int> block,
                                   const SourceLocation& location);
+
+/// A direction of a dictionary in the space of an assembly, of length 1.
+/// \throws FatalIOError for one without a length, or out of the plane
+template<int Dim>
+Vector<Dim> unitDirection(const std::array<double, 3>& direction, const SourceLocation& location);
 
 /// Displacement of the mass centre of a block along a unit vector, with its sign [m].
 template<int Dim>

@@ -425,9 +425,10 @@ std::unique_ptr<GroundAcceleration> tabulatedAcceleration(std::vector<double> ti
     const gsl_interp_type* type = splineType(interpolation);
     if (times.size() < type->min_size)
     {
-        throw std::domain_error(
-            fmt::format("this interpolation needs {} points or more, and the table has {}", type->min_size,
-                        times.size()));
+        throw std::domain_error(fmt::format(
+            "this interpolation needs {} points or more, and the table has {}; use `interpolation "
+            "linear;`",
+            type->min_size, times.size()));
     }
     return std::make_unique<SplineTable>(times, accelerations, type, outOfBounds);
 }

@@ -424,7 +424,8 @@ DescribedAcceleration recordedAcceleration(const RecordMotion& motion,
     }
     catch (const std::domain_error& error) // what was requested cannot be done with this record
     {
-        throw FatalIOError(error.what(), {file.string(), "", 0});
+        throw FatalIOError(fmt::format("The record cannot be used as its dictionary says: {}.", error.what()),
+                           {file.string(), "", 0});
     }
 }
 

@@ -125,7 +125,9 @@ Record scaledToPeak(Record record, double peak)
     const double own = largestAbsolute(record.accelerations);
     if (own == 0)
     {
-        throw std::domain_error("a record that is zero throughout cannot be scaled to a peak acceleration");
+        throw std::domain_error(
+            "a record that is zero throughout cannot be scaled to a peak acceleration; correct the "
+            "file, or remove peakAcceleration");
     }
     return scaled(std::move(record), peak / own);
 }

@@ -229,6 +229,8 @@ class AccuracyCost(CaseTest):
         done = self.run_(case)
         self.assertRegex(done.stdout, r"Reference of c: \d m/s2 \+- 1: .* half the interval between the intensities")
         self.assertRegex(done.stdout, r"c: 0\.1% is reached .*; but the reference is known to \d+% only")
+        page = self.read(case, "postProcessing/accuracyCost/0/accuracyCost.md")
+        self.assertRegex(page, r"\| c \| 0\.1% .*%; the reference is known to \d+% only \|")
 
     def testAReferenceOfALargerToleranceThanItsSweepIsWarnedOf(self):
         case = self.multiplierCase("tolerance", "tolerance (1e-6 1e-10);")

@@ -3,11 +3,13 @@
 #include "effects/GroundMotion.h"
 #include "core/Error.h"
 #include "dynamics/GroundMotionPlausibility.h"
+#include "effects/RecordPlausibility.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include <unistd.h>
@@ -60,6 +62,40 @@ TEST(GroundMotion, SummaryNamesDirectionPeakAndDuration)
     motion.components = {{{std::make_shared<ConstantAcceleration>(3), ""}, {1, 0, 0}}};
     EXPECT_THAT(summary(motion, 9.81), HasSubstr("unlimited"));
     EXPECT_THAT(summary(motion, 0), HasSubstr("PGA         3 m/s2\n"));
+}
+
+TEST_F(GroundMotionTest, RowsThatARecordLacksAreQuestionedAndStillnessIsNot)
+{
+    // Waves of 1 m/s2 at 100 Hz for 0.4 s, with what is asked for in place of the rows from 0.1 to 0.3 s.
+    const auto doubtsWithMiddle = [this](int leftOut, bool isStill)
+    {
+        std::ofstream rows(file);
+        rows << "time [s],a [m/s2]\n";
+        for (int i = 0; i <= 40; ++i)
+        {
+            const bool isMiddle = i > 10 && i <= 10 + leftOut;
+            if (!isMiddle)
+            {
+                const bool isBeside = isStill && (i == 10 || i == 11 + leftOut);
+                rows << fmt::format("{},{}\n", 0.01 * i, isBeside ? 0.0 : std::sin(2.5 * i + 0.3));
+            }
+        }
+        rows.close();
+        RecordMotion motion = record();
+        const GroundMotion::Component component{recordedAcceleration(motion, ""), {1, 0, 0}};
+        std::string text;
+        for (const Doubt& doubt : doubtsAboutRecord(component, {}))
+        {
+            text += doubt.text + "\n";
+        }
+        return text;
+    };
+    EXPECT_THAT(
+        doubtsWithMiddle(20, false),
+        HasSubstr("no value between 0.1 and 0.31 s of the motion, 21 times its usual interval of 0.01 s"));
+    EXPECT_THAT(doubtsWithMiddle(20, true), testing::Not(HasSubstr("no value")));
+    EXPECT_THAT(doubtsWithMiddle(8, false), testing::Not(HasSubstr("no value"))); // digitised by hand
+    EXPECT_THAT(doubtsWithMiddle(0, false), testing::Not(HasSubstr("no value")));
 }
 
 TEST(GroundMotion, AnEndBeforeThatOfTheMotionIsQuestionedWhereThereIsAMotion)

@@ -266,6 +266,15 @@ class Ensemble(CaseTest):
             file.write("functions { energy { } }\n")
         self.assertIn("Did you mean energy?", self.run_(case, status=1).stderr)
 
+    def testCurvesOfAResultAreRefusedAtOnce(self):
+        for number, statistic in enumerate(("type fractiles; intensity mu; response alpha; curve alpha;",
+                                            "type fragility; intensity mu; exceeded \"alpha > 0.6\"; "
+                                            "method truncatedIDA; curve alpha;")):
+            case = self.case("curves%d" % number, samples=4, statistics="curves { %s }" % statistic)
+            done = self.run_(case, "-jobs", "1", status=1)
+            self.assertIn("Unknown variable alpha", done.stderr)
+            self.assertRegex(done.stderr, r"ensembleDict\S*/curve at line")
+
     def testRecordsThatAreNotThereAreRefusedAtOnce(self):
         case = self.case("records", applications="blockTexture contactDynamics", samples=9, statistics="")
         self.edit(case, "system/ensembleDict", 'results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; '

@@ -282,6 +282,23 @@ TEST(FragilityStatistic, SaysWhereThereIsNoCurve)
     EXPECT_NO_THROW(evaluated("type fragility; intensity x; exceeded y;", collapseTable())); // 0 or 1
 }
 
+TEST(FragilityStatistic, OfAResultThatIsNoConditionIsNone)
+{
+    SampleTable drifts = collapseTable();
+    for (double& y : drifts.columns[1])
+    {
+        y *= 0.3; // metres, not 0 or 1
+    }
+    for (const char* exceeded : {"y", "\"y*y\"", "\"min(x,y)\""})
+    {
+        const StatisticResult result =
+            evaluated(fmt::format("type fragility; intensity x; exceeded {};", exceeded), drifts);
+        EXPECT_THAT(result.remarks, testing::Contains(HasSubstr("is a number, not a condition"))) << exceeded;
+        EXPECT_TRUE(result.table.rows.empty()) << exceeded;
+    }
+    EXPECT_NO_THROW(rowOf(evaluated("type fragility; intensity x; exceeded y;", collapseTable()), "theta"));
+}
+
 TEST(DistributionStatistic, HasMomentsAndFractiles)
 {
     std::vector<double> values;

@@ -152,6 +152,21 @@ TEST_F(FunctionListTest, SaysWhatIsBeyondTheEndOfTheRun)
     EXPECT_THAT(said, testing::Not(HasSubstr("all ")));
 }
 
+TEST_F(FunctionListTest, SaysWhatIsBeforeTheBeginningOfTheMotion)
+{
+    const FunctionList<2> functions = read("before { type motionPictures; times (-1); }\n"
+                                           "start { type motionPictures; times (0 1); }\n"
+                                           "steps { type motionPictures; times (0.1 1); }\n"
+                                           "all { type motionPictures; }\n");
+    testing::internal::CaptureStderr();
+    functions.questionTimesBeforeMotion();
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_THAT(said, HasSubstr("before does not write at -1 s"));
+    EXPECT_THAT(said, HasSubstr("start does not write at 0 s"));
+    EXPECT_THAT(said, testing::Not(HasSubstr("steps ")));
+    EXPECT_THAT(said, testing::Not(HasSubstr("all ")));
+}
+
 TEST_F(FunctionListTest, ARestartWritesBesideTheEarlierTables)
 {
     FunctionList<2> first = read("energy { }");

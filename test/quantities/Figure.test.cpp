@@ -95,6 +95,8 @@ TEST(Figure, RefusesBlocksThatAreNotThereOrNeverMove)
     EXPECT_THROW(valueAfter<2>("type displacement; block 2;", {}), FatalIOError);
     EXPECT_THROW(valueAfter<2>("type rotation; block 0;", {}), FatalIOError);
     EXPECT_THROW(figureOf("type displacement; direction (1 0 0);"), FatalIOError);
+    EXPECT_THROW(valueAfter<2>("type displacement; block 1; direction (0 0 1);", {}), FatalIOError);
+    EXPECT_THROW(valueAfter<2>("type displacement; block 1; direction (1 0 1);", {}), FatalIOError);
     EXPECT_THROW(figureOf("type energy; part heat;"), FatalIOError);
 }
 

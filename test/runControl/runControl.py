@@ -157,6 +157,33 @@ class RunControl(CaseTest):
         self.run_(parts)
         self.assertEqual(self.state(parts), self.state(once))
 
+    def testElasticJointsKeepTheirShearWhereCornersPassEachOther(self):
+        """A block that swings on springs of shear, on a base as wide as itself but for 0.1 mm, and on a wide one."""
+        ways = {}
+        for name, half in (("passing", 0.5001), ("wide", 3)):
+            case = self.copy(name, endTime="0.1", deltaT="5e-4",
+                             functions="{ blockMotion { blocks (1); writeControl timeStep; } }")
+            self.write(case, "system/blockTextureDict", header % "blockTextureDict" + f"""
+                dimensions 2;
+                texture
+                {{
+                    type polygons; thickness 1;
+                    blocks (((-{half} -1) ({half} -1) ({half} 0) (-{half} 0)) ((-0.5 0) (0.5 0) (0.5 1) (-0.5 1)));
+                }}
+                supports {{ ground {{ type blocks; blocks (0); }} }}
+                """)
+            self.write(case, "constant/contactProperties", header % "contactProperties" +
+                       "friction { type Coulomb; mu 0.8; flowRule nonAssociative; }\n"
+                       "elasticity { normal 1e7; tangential 5e6; }\n")
+            self.write(case, "0/motion", header % "motion" + '"1" { velocity (0.02 0); displacement (0 -1e-3); }\n')
+            made = subprocess.run([os.path.join(applications, "blockTexture"), "-case", case], capture_output=True,
+                                  text=True, check=False)
+            self.assertEqual(made.returncode, 0, made.stderr)
+            self.run_(case)
+            ways[name] = [float(row[1]) for row in self.rows(case, "blockMotion/0/block1.dat")]
+        for extreme in (max, min):
+            self.assertAlmostEqual(extreme(ways["passing"]) / extreme(ways["wide"]), 1, delta=0.02)
+
     def testABoxThatLeavesOutBlocksWhereTheyWereBuiltIsDoubted(self):
         case = self.copy("box", endTime="0.01")
         contact = header % "contactProperties" + "friction { type Coulomb; mu 0.3; }\ndeletion { box ((%s -10) (50 50)); }\n"
@@ -495,6 +522,22 @@ class RunControl(CaseTest):
         os.rename(os.path.join(case, "0.2"), os.path.join(case, "0.3"))
         self.control(case)
         self.assertRegex(self.run_(case, status=1).stderr, r"(?s)0\.3 has the state of time 0\.2.*0\.3/state")
+
+    def testAnEditedStateOfBlocksInEachOtherIsRefused(self):
+        case = self.copy("edited", endTime="0.2")
+        self.run_(case)
+        self.control(case)
+        written = self.read(case, "0.2/state")
+        numbers = re.search(r"\ntranslation (\d+)\n\(\n(.*?)\n\);", written, re.S)
+        for number, value, says in ((-1, -0.3, r"block \d is 0\.3\d* m deep in block \d"),
+                                    (0, 0.3, r"block 0 \(support ground\) is not where it was built")):
+            values = numbers[2].split("\n")
+            values[number] = str(float(values[number]) + value)
+            self.write(case, "0.2/state", re.sub(r"\nchecksum \S+;\n", "",
+                                                 written.replace(numbers[2], "\n".join(values))))
+            self.assertRegex(self.run_(case, status=1).stderr, rf"(?s){says}.*0\.2/state")
+        self.write(case, "0.2/state", re.sub(r"\nchecksum \S+;\n", "", written))
+        self.run_(case)
 
     def testPostProcessWritesOverNoTableOfARun(self):
         functions = "{ energy { writeControl timeStep; writeInterval 1; } }"
