@@ -55,7 +55,7 @@ bool isShort(const SearchOutcome& outcome)
            || (outcome.end == SearchEnd::evaluations && !isGlobal(outcome.stages.back().first));
 }
 
-const char* statusText(const SearchOutcome& outcome)
+std::string statusText(const ParameterSearch& search, const SearchOutcome& outcome)
 {
     switch (outcome.end)
     {
@@ -67,6 +67,15 @@ const char* statusText(const SearchOutcome& outcome)
         return "not converged: the objective does not grow, or fall, all the way from one bound to the "
                "other, as bisection needs: take COBYLA or DIRECT";
     case SearchEnd::evaluations:
+        if (isShort(outcome) && outcome.beyondBounds > 0)
+        {
+            return fmt::format(
+                "not converged: {0} has spent {1} of {2} evaluations outside the bounds, where "
+                "nothing is computed: take BOBYQA or SBPLX, which keep to them, or raise "
+                "maximumEvaluations",
+                nameOf(outcome.stages.back().first), outcome.beyondBounds,
+                search.settings.search[outcome.stages.size() - 1].maximumEvaluations);
+        }
         return isShort(outcome) ? "not converged: raise maximumEvaluations" : "all evaluations made";
     case SearchEnd::failed:
         return outcome.stages.back().first == SearchAlgorithm::bisection
@@ -105,7 +114,7 @@ ParameterSearch readParameterSearch(const fs::path& caseDirectory, const Command
         Dictionary::readFile(requireCaseFile(caseDirectory, "system/parameterSearchDict",
                                              "It specifies which entries to vary and what to find; "
                                              "etc/annotated/system/parameterSearchDict is one to copy."));
-    search.settings = readOptions<ParameterSearchSettings>(search.dictionary);
+    search.settings = readSearchSettings(search.dictionary);
     std::error_code unknown; // a name that no file can have is not a file
     for (const std::string& directory : search.settings.cases)
     {
@@ -346,7 +355,7 @@ void printOutcome(const ParameterSearch& search, const SearchHistory& history, c
              "history.dat",
              failed, history.records().size());
     }
-    info("Status: {} (evaluations: {})", statusText(outcome), stages);
+    info("Status: {} (evaluations: {})", statusText(search, outcome), stages);
     questionBest(search, history, *outcome.best);
 }
 

@@ -97,6 +97,23 @@ class ParameterSearch(CaseTest):
         self.assertEqual(self.read(case, "postProcessing/parameterSearch/0/history.dat"), known)
         self.assertEqual(len(re.findall(r"^Evaluation", done.stdout, re.M)), len(re.findall(r"known\)", done.stdout)))
 
+    def testPraxisSaysThatItHasBeenOutsideTheBounds(self):
+        case = self.case("praxis", algorithm="PRAXIS", evaluations="40", bounds="40 90")
+        done = self.run_(case, status=2)
+        self.assertRegex(done.stderr, r"PRAXIS knows no bounds[^$]*BOBYQA[^$]*search at line 8")
+        said = re.search(r"not converged: PRAXIS has spent (\d+) of 40 evaluations outside the bounds.*take BOBYQA",
+                         done.stdout)
+        self.assertTrue(said, done.stdout)
+        self.assertLessEqual(int(said.group(1)) + len(self.rows(case)), 40)
+        self.assertGreater(int(said.group(1)), 0)
+
+    def testAnExpressionWithoutAValueEndsTheSearchWithItsPlace(self):
+        case = self.case("logarithm", constraints="constraints { own { value \"log(angle-95)\"; atLeast 0; } }",
+                         algorithm="COBYLA")
+        done = self.run_(case, status=1)
+        self.assertIn("has no value at a point that the search came to", done.stderr)
+        self.assertRegex(done.stderr, r"parameterSearchDict/constraints/own/value at line 7")
+
     def testAHistoryOfAnotherCaseIsRefused(self):
         case = self.case("changed", evaluations="3", algorithm="DIRECT_L")
         self.run_(case)
