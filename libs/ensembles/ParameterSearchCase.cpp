@@ -206,6 +206,8 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
     double bestViolation = std::numeric_limits<double>::infinity();
     int number = 0;
     int computed = 0;
+    int cutShort = 0;
+    std::string cutShortIn;
     int mostEvaluations = 0;
     for (const SearchStage& stage : settings.search)
     {
@@ -256,13 +258,20 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
                             pointText(settings, variables)));
         }
         const std::string reason =
-            run.failure.empty()
+            !run.failure.empty() ? run.failure + ".\n" + run.errorOutput
+            : run.cutShortIn.empty()
                 ? "The table says so: the structure does not stand there, or any load is carried."
-                : run.failure + ".\n" + run.errorOutput;
+                : "The table says so, and maximumTime has ended the search for collapses by Coulomb's law "
+                  "there, before all was tried: raise it, or remove it.";
         const Evaluation found =
             evaluate(settings, variables, completed(search, variables, run.results, reason));
         history.add({variables, run.results, run.failureStatus, run.cpuTime});
         ++computed;
+        if (!run.cutShortIn.empty())
+        {
+            ++cutShort;
+            cutShortIn = run.cutShortIn;
+        }
         if (report(found, fmt::format("{}  ({:.2f} s; at most {} left)",
                                       run.failure.empty() ? "" : "  " + run.failure, run.cpuTime,
                                       durationText((clockTime() - start) / computed
@@ -275,6 +284,19 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
     SearchOutcome outcome = searchBest(settings, search.start, evaluator);
     std::error_code ignored;
     fs::remove_all(search.caseDirectory / "parameterSearch/evaluation", ignored);
+    if (cutShort > 0)
+    {
+        printWarning(
+            fmt::format(
+                "maximumTime has ended the search for collapses by Coulomb's law at {} of {} points that "
+                "were computed, before all was tried: their multipliers depend on how fast this "
+                "machine is and what else it does, and are no numbers where no collapse was found. "
+                "Raise maximumTime, or remove it.",
+                cutShort, computed),
+            EntryLocations(Dictionary::readFileIfPresent(
+                               (search.caseDirectory / cutShortIn / "system/solution").lexically_normal()))
+                .of("limitAnalysis/nonAssociative/maximumTime"));
+    }
     return outcome;
 }
 

@@ -114,6 +114,24 @@ class ParameterSearch(CaseTest):
         self.assertIn("has no value at a point that the search came to", done.stderr)
         self.assertRegex(done.stderr, r"parameterSearchDict/constraints/own/value at line 7")
 
+    def testPointsWhoseSearchByCoulombsLawIsCutShortAreCountedOnce(self):
+        for name, limit, isEnded in (("endsAtOnce", 1e-9, True), ("hasTime", 1000, False)):
+            case = self.case(name, evaluations="4", algorithm="DIRECT_L", bounds="0 20", otherwise="otherwise 10;")
+            with open(os.path.join(case, "constant/contactProperties"), "w", encoding="utf-8") as file:
+                file.write(header % "contactProperties" + "friction { type Coulomb; mu 0.65; flowRule nonAssociative; }\n")
+            with open(os.path.join(case, "system/solution"), "w", encoding="utf-8") as file:
+                file.write(header % "solution" + f"limitAnalysis\n{{ nonAssociative {{\nmaximumTime {limit}; }} }}\n")
+            done = self.run_(case)
+            points = len(self.rows(case))
+            self.assertEqual(done.stderr.count("maximumTime has ended the search"), int(isEnded), done.stderr)
+            if isEnded:
+                self.assertIn(f"at {points} of {points} points", done.stderr)
+                self.assertRegex(done.stderr, r"solution/limitAnalysis/nonAssociative/maximumTime at line "
+                                 + str((header % "solution").count("\n") + 3))
+                self.set(case, evaluations="4", algorithm="DIRECT_L", bounds="0 20")
+                shutil.rmtree(os.path.join(case, "postProcessing/parameterSearch"))
+                self.assertIn("maximumTime has ended the search", self.run_(case, status=1).stderr)
+
     def testAHistoryOfAnotherCaseIsRefused(self):
         case = self.case("changed", evaluations="3", algorithm="DIRECT_L")
         self.run_(case)
