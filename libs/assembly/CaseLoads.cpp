@@ -107,6 +107,14 @@ void setLive(LoadVectors& loads, Load load)
     loads.firstMomentsOfLive = std::move(load.firstMoments);
 }
 
+/// What constant/loads says.
+template<int Dim>
+LoadCases<Dim> readCases(const Dictionary& dictionary)
+{
+    requireParts<Dim>(dictionary);
+    return readOptions<LoadCases<Dim>>(dictionary);
+}
+
 /// The context with the loads that `cases` names.
 template<int Dim>
 LoadContext<Dim> withCases(const LoadContext<Dim>& context, const LoadCases<Dim>& cases)
@@ -134,7 +142,7 @@ CaseLoads<Dim> readLoads(const std::filesystem::path& caseDirectory, const LoadC
     }
     const Dictionary dictionary = readCaseFile(
         caseDirectory, file, "dead { type gravity; } live { type inertial; direction (1 0 0); }");
-    const auto cases = readOptions<LoadCases<Dim>>(dictionary);
+    const auto cases = readCases<Dim>(dictionary);
     if (!cases.combinations.empty())
     {
         throw FatalIOError("combinations are for limitAnalysis. Write for instance `dead { type gravity; }` "
@@ -189,7 +197,7 @@ readLoadCombinations(const std::filesystem::path& caseDirectory, const LoadConte
         return result;
     }
     const Dictionary dictionary = Dictionary::readFile(caseDirectory / file);
-    const auto cases = readOptions<LoadCases<Dim>>(dictionary);
+    const auto cases = readCases<Dim>(dictionary);
     if (cases.combinations.empty())
     {
         return result;

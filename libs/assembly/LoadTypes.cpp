@@ -6,6 +6,7 @@
 #include "core/Log.h"
 
 #include <algorithm>
+#include <array>
 
 namespace drystone
 {
@@ -107,20 +108,44 @@ LoadMaker<Dim> makeCombined(const CombinedSettings& settings, const Dictionary& 
     };
 }
 
-/// What a load may be that is one of several.
+/// Types of loads that can only be the live load, and what is said where they are something else.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 2> aloneTypes{
+    {{"supportMovement", "supportMovement can only be the live load, by itself and without combinations: its "
+                         "answer is a reaction in N, which no multiplier compares with."},
+     {"moving", "A moving load can only be the live load, by itself and without combinations."}}};
+
+/// What is said of such a type; empty: it is none.
+std::string_view refusalOf(std::string_view type)
+{
+    const auto* const found = std::find_if(aloneTypes.begin(), aloneTypes.end(),
+                                           [type](const auto& alone) { return alone.first == type; });
+    return found == aloneTypes.end() ? std::string_view() : found->second;
+}
+
+/// \throws FatalIOError always. \param others of which some can stand where this one is
 template<int Dim>
-std::string loadsToCombine()
+[[noreturn]] void refuse(std::string_view type, const Registry<LoadMaker<Dim>>& others,
+                         const SourceLocation& place)
 {
     std::vector<std::string_view> names;
-    for (const auto& load : loadTypes<Dim>().models)
+    for (const auto& load : others.models)
     {
-        if (load.name != "supportMovement" && load.name != "moving")
+        if (refusalOf(load.name).empty())
         {
             names.push_back(load.name);
         }
     }
     std::sort(names.begin(), names.end());
-    return fmt::format("Loads that can stand here: {}.", fmt::join(names, " "));
+    throw FatalIOError(
+        fmt::format("{} Loads that can stand here: {}.", refusalOf(type), fmt::join(names, " ")), place);
+}
+
+/// What makes a load of such a type, where it is read as one that makes a load vector.
+template<int Dim>
+LoadMaker<Dim> refusing(std::string_view type, const Dictionary& dictionary)
+{
+    return [type, place = dictionary.locationOf("type")](const LoadContext<Dim>&) -> Load
+    { refuse(type, loadTypes<Dim>(), place); };
 }
 
 } // namespace
@@ -153,36 +178,39 @@ const Registry<LoadMaker<Dim>>& loadTypes()
             "combined", "loads of `cases`, each times a factor", makeCombined<Dim>));
         all.models.push_back(model<LoadMaker<Dim>, SupportMovementSettings<Dim>>(
             "supportMovement", "settlement of a support, of limitAnalysis, in place of the live load only",
-            [](const SupportMovementSettings<Dim>&, const Dictionary& dictionary) -> LoadMaker<Dim>
-            {
-                return [place = dictionary.locationOf("type")](const LoadContext<Dim>&) -> Load
-                {
-                    throw FatalIOError(
-                        fmt::format("supportMovement can only be the live load, by itself and without "
-                                    "combinations: its answer is a reaction in N, which no multiplier "
-                                    "compares with. {}",
-                                    loadsToCombine<Dim>()),
-                        place);
-                };
-            }));
+            [](const SupportMovementSettings<Dim>&, const Dictionary& dictionary)
+            { return refusing<Dim>("supportMovement", dictionary); }));
         all.models.push_back(model<LoadMaker<Dim>, MovingLoadSettings<Dim>>(
             "moving",
             "a load that moves over the structure, of limitAnalysis, as the live load only: a multiplier for "
             "each place",
-            [](const MovingLoadSettings<Dim>&, const Dictionary& dictionary) -> LoadMaker<Dim>
-            {
-                return [place = dictionary.locationOf("type")](const LoadContext<Dim>&) -> Load
-                {
-                    throw FatalIOError(
-                        fmt::format("A moving load can only be the live load, by itself and without "
-                                    "combinations. {}",
-                                    loadsToCombine<Dim>()),
-                        place);
-                };
-            }));
+            [](const MovingLoadSettings<Dim>&, const Dictionary& dictionary)
+            { return refusing<Dim>("moving", dictionary); }));
         return all;
     }();
     return registry;
+}
+
+template<int Dim>
+void requireParts(const Dictionary& loads)
+{
+    for (const Entry& entry : loads.entries())
+    {
+        if (!entry.isDictionary())
+        {
+            continue;
+        }
+        const bool hasParts = entry.keyword() == "cases" || entry.keyword() == "loads";
+        for (const Entry& part : entry.dictionary().entries())
+        {
+            const Entry* type = hasParts && part.isDictionary() ? part.dictionary().find("type") : nullptr;
+            if (type && !refusalOf(type->valueText()).empty())
+            {
+                refuse(type->valueText(), singleLoadTypes<Dim>(), part.dictionary().locationOf("type"));
+            }
+        }
+        requireParts<Dim>(entry.dictionary());
+    }
 }
 
 template<int Dim>
@@ -226,11 +254,13 @@ void declare(Options& options, LoadCases<Dim>& cases)
 
 template void declare(Options&, SupportMovementSettings<2>&);
 template const Registry<LoadMaker<2>>& loadTypes();
+template void requireParts<2>(const Dictionary& loads);
 template void declare(Options&, LoadCombination<2>&);
 template void declare(Options&, LoadCases<2>&);
 
 template void declare(Options&, SupportMovementSettings<3>&);
 template const Registry<LoadMaker<3>>& loadTypes();
+template void requireParts<3>(const Dictionary& loads);
 template void declare(Options&, LoadCombination<3>&);
 template void declare(Options&, LoadCases<3>&);
 

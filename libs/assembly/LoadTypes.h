@@ -56,4 +56,9 @@ void declare(Options& options, SupportMovementSettings<Dim>& settings);
 template<int Dim>
 const Registry<LoadMaker<Dim>>& singleLoadTypes();
 
+/// Refuses loads of `cases` and of sums, anywhere in constant/loads, that can only be the live load.
+/// \throws FatalIOError
+template<int Dim>
+void requireParts(const Dictionary& loads);
+
 } // namespace drystone

@@ -68,6 +68,8 @@ struct Problem
     /// Points that the stage may look at, and has: some algorithms go on beyond what they are given.
     int mostPoints = std::numeric_limits<int>::max();
     int points = 0;
+    int calls = 0;        ///< of the stage for the objective, all within the bounds
+    int beyondBounds = 0; ///< points outside the bounds that the stage has spent evaluations on
     std::vector<double> lastPoint = {};
 
     bool isExhausted() const { return points > mostPoints; }
@@ -132,6 +134,7 @@ struct Problem
 double objectiveOf(unsigned, const double* scaled, double*, void* data)
 {
     auto& problem = *static_cast<Problem*>(data);
+    ++problem.calls;
     const auto found = problem.at(scaled);
     return found ? problem.settings.objective.sign() * found->objective
                  : std::numeric_limits<double>::infinity();
@@ -295,6 +298,8 @@ SearchEnd endOf(nlopt_result result, bool isAstray)
 SearchEnd carryOut(const SearchStage& stage, Problem& problem, std::vector<double> scaled)
 {
     problem.points = 0;
+    problem.calls = 0;
+    problem.beyondBounds = 0;
     problem.mostPoints = stage.maximumEvaluations;
     if (stage.algorithm == SearchAlgorithm::bisection)
     {
@@ -305,6 +310,10 @@ SearchEnd carryOut(const SearchStage& stage, Problem& problem, std::vector<doubl
     problem.optimiser = optimiser.get();
     double least = 0;
     const nlopt_result result = nlopt_optimize(optimiser.get(), scaled.data(), &least);
+    if (stage.algorithm == SearchAlgorithm::PRAXIS) // NLopt answers for points outside, and counts them
+    {
+        problem.beyondBounds = std::max(0, nlopt_get_numevals(optimiser.get()) - problem.calls);
+    }
     // The end point of a local algorithm, which need not be the best point it visited.
     const bool isChecked = !isGlobal(stage.algorithm) && !problem.settings.constraints.empty();
     const auto last = isChecked ? problem.at(scaled.data()) : std::nullopt;
@@ -329,7 +338,7 @@ Evaluation evaluate(const ParameterSearchSettings& settings, std::vector<double>
     Evaluation found;
     found.variables = std::move(variables);
     found.results = std::move(results);
-    const auto value = [&](const std::string& expression)
+    const auto value = [&](const std::string& expression, const std::string& entry)
     {
         try
         {
@@ -337,16 +346,17 @@ Evaluation evaluate(const ParameterSearchSettings& settings, std::vector<double>
         }
         catch (const std::invalid_argument& error)
         {
-            throw FatalError(
+            throw FatalIOError(
                 fmt::format("`{}` of system/parameterSearchDict has no value at a point that the "
                             "search came to ({}): {}.",
-                            expression, fmt::join(found.variables, " "), error.what()));
+                            expression, fmt::join(found.variables, " "), error.what()),
+                settings.locations.of(entry));
         }
     };
-    found.objective = value(settings.objective.value);
+    found.objective = value(settings.objective.value, "objective/value");
     for (const auto& [name, constraint] : settings.constraints)
     {
-        const double at = value(constraint.value);
+        const double at = value(constraint.value, "constraints/" + name + "/value");
         found.constraints.push_back(at);
         const double miss = std::max(constraint.atLeast ? *constraint.atLeast - at : 0.0,
                                      constraint.atMost ? at - *constraint.atMost : 0.0);
@@ -389,6 +399,7 @@ SearchOutcome searchBest(const ParameterSearchSettings& settings, const std::vec
         outcome.end = carryOut(stage, problem, scaled);
         outcome.stages.emplace_back(stage.algorithm, evaluations);
         outcome.best = problem.best;
+        outcome.beyondBounds = problem.beyondBounds;
         if (outcome.end == SearchEnd::interrupted || outcome.end == SearchEnd::failed)
         {
             break;

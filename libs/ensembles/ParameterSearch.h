@@ -22,8 +22,8 @@ struct Evaluation
     double violation = 0;            ///< largest violation of a limit beyond its tolerance; 0: all hold
 };
 
-/// Objective and constraints at a point whose results are known. \throws FatalError when an expression has no
-/// finite value there
+/// Objective and constraints at a point whose results are known. \throws FatalIOError when an expression has
+/// no finite value there
 Evaluation evaluate(const ParameterSearchSettings& settings, std::vector<double> variables,
                     std::vector<double> results);
 
@@ -44,6 +44,7 @@ struct SearchOutcome
     SearchEnd end = SearchEnd::failed;
     std::optional<Evaluation> best; ///< of the feasible ones, or else the one with the smallest violation
     std::vector<std::pair<SearchAlgorithm, int>> stages; ///< and how many evaluations each took
+    int beyondBounds = 0; ///< evaluations of the last algorithm that it spent on points outside the bounds
 };
 
 /// Returns the evaluation at a point, computed or known; empty when the search is to stop.

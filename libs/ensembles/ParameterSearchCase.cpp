@@ -55,7 +55,7 @@ bool isShort(const SearchOutcome& outcome)
            || (outcome.end == SearchEnd::evaluations && !isGlobal(outcome.stages.back().first));
 }
 
-const char* statusText(const SearchOutcome& outcome)
+std::string statusText(const ParameterSearch& search, const SearchOutcome& outcome)
 {
     switch (outcome.end)
     {
@@ -67,6 +67,15 @@ const char* statusText(const SearchOutcome& outcome)
         return "not converged: the objective does not grow, or fall, all the way from one bound to the "
                "other, as bisection needs: take COBYLA or DIRECT";
     case SearchEnd::evaluations:
+        if (isShort(outcome) && outcome.beyondBounds > 0)
+        {
+            return fmt::format(
+                "not converged: {0} has spent {1} of {2} evaluations outside the bounds, where "
+                "nothing is computed: take BOBYQA or SBPLX, which keep to them, or raise "
+                "maximumEvaluations",
+                nameOf(outcome.stages.back().first), outcome.beyondBounds,
+                search.settings.search[outcome.stages.size() - 1].maximumEvaluations);
+        }
         return isShort(outcome) ? "not converged: raise maximumEvaluations" : "all evaluations made";
     case SearchEnd::failed:
         return outcome.stages.back().first == SearchAlgorithm::bisection
@@ -105,7 +114,7 @@ ParameterSearch readParameterSearch(const fs::path& caseDirectory, const Command
         Dictionary::readFile(requireCaseFile(caseDirectory, "system/parameterSearchDict",
                                              "It specifies which entries to vary and what to find; "
                                              "etc/annotated/system/parameterSearchDict is one to copy."));
-    search.settings = readOptions<ParameterSearchSettings>(search.dictionary);
+    search.settings = readSearchSettings(search.dictionary);
     std::error_code unknown; // a name that no file can have is not a file
     for (const std::string& directory : search.settings.cases)
     {
@@ -197,6 +206,8 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
     double bestViolation = std::numeric_limits<double>::infinity();
     int number = 0;
     int computed = 0;
+    int cutShort = 0;
+    std::string cutShortIn;
     int mostEvaluations = 0;
     for (const SearchStage& stage : settings.search)
     {
@@ -247,13 +258,20 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
                             pointText(settings, variables)));
         }
         const std::string reason =
-            run.failure.empty()
+            !run.failure.empty() ? run.failure + ".\n" + run.errorOutput
+            : run.cutShortIn.empty()
                 ? "The table says so: the structure does not stand there, or any load is carried."
-                : run.failure + ".\n" + run.errorOutput;
+                : "The table says so, and maximumTime has ended the search for collapses by Coulomb's law "
+                  "there, before all was tried: raise it, or remove it.";
         const Evaluation found =
             evaluate(settings, variables, completed(search, variables, run.results, reason));
         history.add({variables, run.results, run.failureStatus, run.cpuTime});
         ++computed;
+        if (!run.cutShortIn.empty())
+        {
+            ++cutShort;
+            cutShortIn = run.cutShortIn;
+        }
         if (report(found, fmt::format("{}  ({:.2f} s; at most {} left)",
                                       run.failure.empty() ? "" : "  " + run.failure, run.cpuTime,
                                       durationText((clockTime() - start) / computed
@@ -266,6 +284,19 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
     SearchOutcome outcome = searchBest(settings, search.start, evaluator);
     std::error_code ignored;
     fs::remove_all(search.caseDirectory / "parameterSearch/evaluation", ignored);
+    if (cutShort > 0)
+    {
+        printWarning(
+            fmt::format(
+                "maximumTime has ended the search for collapses by Coulomb's law at {} of {} points that "
+                "were computed, before all was tried: their multipliers depend on how fast this "
+                "machine is and what else it does, and are no numbers where no collapse was found. "
+                "Raise maximumTime, or remove it.",
+                cutShort, computed),
+            EntryLocations(Dictionary::readFileIfPresent(
+                               (search.caseDirectory / cutShortIn / "system/solution").lexically_normal()))
+                .of("limitAnalysis/nonAssociative/maximumTime"));
+    }
     return outcome;
 }
 
@@ -346,7 +377,7 @@ void printOutcome(const ParameterSearch& search, const SearchHistory& history, c
              "history.dat",
              failed, history.records().size());
     }
-    info("Status: {} (evaluations: {})", statusText(outcome), stages);
+    info("Status: {} (evaluations: {})", statusText(search, outcome), stages);
     questionBest(search, history, *outcome.best);
 }
 

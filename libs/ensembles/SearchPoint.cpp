@@ -3,9 +3,11 @@
 #include "ensembles/SearchPoint.h"
 
 #include "ensembles/CaseRuns.h"
+#include "functionObjects/LimitAnalysisResults.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <sys/resource.h>
@@ -121,6 +123,10 @@ PointRun runPoint(const ParameterSearch& search, const std::vector<double>& vari
         run.failureStatus = done.status;
         run.errorOutput = done.errorOutput;
     }
+    const auto cutShort = std::find_if(settings.cases.begin(), settings.cases.end(),
+                                       [&folder](const std::string& directory)
+                                       { return isSearchCutShort(folder / directory); });
+    run.cutShortIn = cutShort == settings.cases.end() ? "" : *cutShort;
     for (std::size_t i = 0; i < settings.results.size(); ++i)
     {
         const auto& [name, result] = settings.results[i];

@@ -48,7 +48,8 @@ struct PointRun
     std::string errorOutput;     ///< of that application
     int failureStatus = 0;
     bool isInterrupted = false;
-    double cpuTime = 0; ///< of the applications [s]
+    std::string cutShortIn; ///< of the cases, the one where maximumTime has ended a search; empty: in none
+    double cpuTime = 0;     ///< of the applications [s]
 };
 
 /// Runs the applications with these values, in parameterSearch/evaluation.

@@ -77,6 +77,18 @@ std::string faultOf(const SearchStage& stage, const ParameterSearchSettings& set
                        fmt::join(others, " "));
 }
 
+/// What is to be known of the algorithms of a search; empty: nothing.
+std::string doubtAbout(const std::vector<SearchStage>& search)
+{
+    const bool hasPraxis =
+        std::any_of(search.begin(), search.end(),
+                    [](const SearchStage& stage) { return stage.algorithm == SearchAlgorithm::PRAXIS; });
+    return hasPraxis ? "PRAXIS knows no bounds: it steps beyond them, where nothing is computed, and an "
+                       "optimum at a bound may be missed. Usual are BOBYQA, or SBPLX where the objective "
+                       "has kinks: they keep to the bounds."
+                     : "";
+}
+
 } // namespace
 
 std::string_view nameOf(SearchAlgorithm algorithm)
@@ -291,6 +303,14 @@ void declare(Options& options, ParameterSearchSettings& settings)
                       }
                       return "";
                   });
+    options.question("search", [&settings] { return doubtAbout(settings.search); });
+}
+
+ParameterSearchSettings readSearchSettings(const Dictionary& dictionary)
+{
+    auto settings = readOptions<ParameterSearchSettings>(dictionary);
+    settings.locations = EntryLocations(dictionary);
+    return settings;
 }
 
 double valueOf(const std::string& expression, const ParameterSearchSettings& settings,

@@ -15,6 +15,7 @@
 ///     search      ( { algorithm DIRECT_L; maximumEvaluations 30; } { algorithm COBYLA; } );
 #pragma once
 
+#include "dictionary/EntryLocations.h"
 #include "dictionary/Options.h"
 #include "ensembles/CaseEntry.h"
 #include "quantities/TableFigure.h"
@@ -132,9 +133,13 @@ struct ParameterSearchSettings
     SearchObjective objective;
     std::vector<Named<SearchConstraint>> constraints;
     std::vector<SearchStage> search;
-    int seed = 1; ///< of the random numbers of CRS2_LM, ISRES and ESCH
+    int seed = 1;             ///< of the random numbers of CRS2_LM, ISRES and ESCH
+    EntryLocations locations; ///< of the entries of the dictionary, for messages
 };
 void declare(Options& options, ParameterSearchSettings& settings);
+
+/// Settings with the places of their entries. \throws FatalIOError
+ParameterSearchSettings readSearchSettings(const Dictionary& dictionary);
 
 /// The value of an expression of variables and results. \throws std::invalid_argument
 double valueOf(const std::string& expression, const ParameterSearchSettings& settings,

@@ -10,6 +10,7 @@
 #include "functionObjects/LimitAnalysisTables.h"
 #include "functionObjects/LoadEnvelope.h"
 #include "functionObjects/LoadMeaning.h"
+#include "functionObjects/StrengthPlausibility.h"
 #include "quantities/LimitAnalysisFigures.h"
 #include "statics/JointDissipation.h"
 #include "statics/SolveCase.h"
@@ -394,6 +395,10 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
             {
                 printLine(cause);
             }
+        }
+        if (const std::optional<StrengthDoubt> doubt = doubtAboutCrushing(structure, result))
+        {
+            printWarningOnce(doubt->text, doubt->place);
         }
         const Certificate& certificate = result.certificate;
         info(

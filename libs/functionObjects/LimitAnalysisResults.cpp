@@ -11,6 +11,7 @@
 #include "core/WholeFile.h"
 #include "functionObjects/ColumnFile.h"
 #include "functionObjects/FunctionList.h"
+#include "functionObjects/Histories.h"
 #include "functionObjects/KeptResults.h"
 #include "functionObjects/LimitAnalysisTables.h"
 #include "functionObjects/LoadEnvelope.h"
@@ -76,6 +77,21 @@ std::vector<std::string> suffixesOfAnswers(const std::vector<LimitAnalysis>& res
         names.push_back((combination.empty() ? "" : "_" + combination) + (isSecond ? "Negative" : ""));
     }
     return names;
+}
+
+bool isSearchCutShort(const std::filesystem::path& caseDirectory)
+{
+    std::error_code absent;
+    const std::filesystem::directory_iterator files(limitAnalysisTable(caseDirectory).parent_path(), absent);
+    return std::any_of(begin(files), end(files),
+                       [](const std::filesystem::directory_entry& file)
+                       {
+                           const std::vector<std::string> columns =
+                               file.path().filename().string().starts_with("coulomb")
+                                   ? readNumberTable(file.path()).names
+                                   : std::vector<std::string>();
+                           return std::find(columns.begin(), columns.end(), "cutShortAfter") != columns.end();
+                       });
 }
 
 std::filesystem::path limitAnalysisTable(const std::filesystem::path& caseDirectory)

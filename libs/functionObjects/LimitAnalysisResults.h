@@ -45,6 +45,10 @@ void writeLimitAnalysisProgram(const std::filesystem::path& caseDirectory,
 /// What the names of the files of each answer end in: its combination, and `Negative` for the negative end.
 std::vector<std::string> suffixesOfAnswers(const std::vector<LimitAnalysis>& results);
 
+/// Whether the tables of a case say that maximumTime has ended a search for collapses by Coulomb's law: of a
+/// moving load that of the position with the lowest multiplier.
+bool isSearchCutShort(const std::filesystem::path& caseDirectory);
+
 /// How the pictures of the answers are drawn.
 struct AnswerPictures
 {

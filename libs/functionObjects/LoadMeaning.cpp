@@ -10,10 +10,6 @@
 namespace drystone
 {
 
-namespace
-{
-
-/// The loads that an answer belongs to.
 template<int Dim>
 const LoadVectors& loadsOf(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
 {
@@ -22,6 +18,9 @@ const LoadVectors& loadsOf(const LimitAnalysisCase<Dim>& structure, const LimitA
                      [&](const auto& combination) { return combination.first == result.combination; });
     return named == structure.combinations.end() ? structure.loads : named->second;
 }
+
+namespace
+{
 
 template<int Dim>
 std::string directionText(const Vector<Dim>& force)
@@ -164,5 +163,8 @@ template std::vector<std::string> loadMeaning(const LimitAnalysisCase<2>& struct
                                               const LimitAnalysis& result);
 template std::vector<std::string> loadMeaning(const LimitAnalysisCase<3>& structure,
                                               const LimitAnalysis& result);
+
+template const LoadVectors& loadsOf(const LimitAnalysisCase<2>& structure, const LimitAnalysis& result);
+template const LoadVectors& loadsOf(const LimitAnalysisCase<3>& structure, const LimitAnalysis& result);
 
 } // namespace drystone

@@ -21,6 +21,10 @@ std::string forceText(double force);
 template<int Dim>
 Vector<Dim> resultantOf(const Eigen::VectorXd& load);
 
+/// The loads that an answer belongs to: those of its combination, or of the case.
+template<int Dim>
+const LoadVectors& loadsOf(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
+
 /// Sentences on an optimal answer: the live load in all, at collapse, and as a part of the dead load; of a
 /// settling support its reaction. A live load without resultant, such as a couple, is said to have none.
 template<int Dim>

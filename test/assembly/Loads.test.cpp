@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Load vectors against hand calculations.
 #include "assembly/TurnedLoad.h"
+#include "core/Error.h"
 #include "core/WholeFile.h"
 #include "geometry/Rotation.h"
 
@@ -167,6 +168,73 @@ TEST(Loads, ThatCancelButForRoundingAddUpToNothing)
     sum.add(pointLoad(assembly, 2, {2, 0.5}, {1e-9, 0})); // small, and all there is on its block
     const Eigen::VectorXd expected = (Eigen::VectorXd(6) << 0, 0, 0, 1e-9, 0, 0).finished();
     EXPECT_EQ(sum.sum().rows, expected);
+}
+
+/// The refusal of constant/loads.
+template<int Dim>
+std::string refusalOf(const std::string& loads, const Assembly<Dim>& assembly,
+                      bool isWithCombinations = false)
+{
+    const std::filesystem::path directory = std::filesystem::path(testing::TempDir()) / "loadsRefused";
+    std::filesystem::create_directories(directory / "constant");
+    writeWholeFile(directory / "constant/loads", loads);
+    const std::vector<double> masses(assembly.blocks.size(), 1);
+    const LoadContext<Dim> context{assembly, masses, -10 * Vector<Dim>::Unit(Dim - 1)};
+    std::string report;
+    try
+    {
+        isWithCombinations ? void(readLoadCombinations<Dim>(directory, context))
+                           : void(readLoads<Dim>(directory, context, LiveLoad::required));
+    }
+    catch (const FatalIOError& error)
+    {
+        report = error.report();
+    }
+    std::filesystem::remove_all(directory);
+    return report;
+}
+
+TEST(Loads, ThatCanOnlyBeTheLiveLoadAreRefusedInSumsAndCases)
+{
+    const std::string movement = "type supportMovement; support ground; direction (0 -1 0);";
+    const std::string moving = "type moving; from (0 1 0); to (1 1 0); value (0 -1 0);";
+    const auto sum = [](const std::string& part)
+    { return "dead { type gravity; }\nlive { type sum; loads {\n down { " + part + " } } }\n"; };
+    const auto cases = [](const std::string& part)
+    {
+        return "dead { type gravity; }\ncases {\n down { " + part
+               + " } }\nlive { type combined; terms ((1 down)); }\n";
+    };
+    const auto combinations = [](const std::string& part)
+    {
+        return "combinations { one { dead { type gravity; }\n live { type sum; loads {\n down { " + part
+               + " } } } } }\n";
+    };
+    for (const std::string& loads : {sum(movement), cases(movement)})
+    {
+        const std::string report = refusalOf<2>(loads, twoOnGround());
+        EXPECT_THAT(report, testing::HasSubstr("supportMovement can only be the live load, by itself"));
+        EXPECT_THAT(report, testing::HasSubstr("down/type at line 3"));
+        EXPECT_THAT(report, testing::Not(testing::HasSubstr("Unknown load type")));
+    }
+    EXPECT_THAT(refusalOf<2>(combinations(movement), twoOnGround(), true),
+                testing::AllOf(testing::HasSubstr("supportMovement can only be the live load, by itself"),
+                               testing::HasSubstr("down/type at line 3")));
+    for (const std::string& loads : {sum(moving), cases(moving)})
+    {
+        EXPECT_THAT(refusalOf<2>(loads, twoOnGround()),
+                    testing::AllOf(testing::HasSubstr("A moving load can only be the live load, by itself"),
+                                   testing::HasSubstr("down/type at line 3")));
+    }
+    Assembly<3> box;
+    box.blocks.resize(1);
+    box.blocks[0].shape = makeBox({0, 0, 0}, {1, 0.5, 2});
+    EXPECT_THAT(refusalOf<3>(sum(movement), box),
+                testing::HasSubstr("supportMovement can only be the live load, by itself"));
+    // Others stay as they are.
+    EXPECT_THAT(refusalOf<2>(sum("type gravty;"), twoOnGround()),
+                testing::HasSubstr("Unknown load type gravty. Did you mean gravity?"));
+    EXPECT_EQ(refusalOf<2>(sum("type inertial; direction (1 0 0);"), twoOnGround()), "");
 }
 
 } // namespace

@@ -28,7 +28,7 @@ ParameterSearchSettings settingsOf(const std::string& rest, int variables = 2)
     {
         text += " y { file a; entry y; bounds (-1 2); }";
     }
-    return readOptions<ParameterSearchSettings>(Dictionary::readString(
+    return readSearchSettings(Dictionary::readString(
         text + "} results { f { table t; column f; } } seed 7;" + rest, "system/parameterSearchDict"));
 }
 
@@ -262,4 +262,72 @@ TEST(ParameterSearch, AnErrorOfTheEvaluationPassesThroughNLopt)
         search(settingsOf("objective { goal minimise; value \"log(f)\"; } search ( { algorithm SBPLX; } );"),
                [](const auto&) { return -1; }),
         FatalError);
+}
+
+TEST(ParameterSearch, AnExpressionWithoutAValueIsToldWithItsPlace)
+{
+    const auto settings = settingsOf(
+        "objective { goal minimise; value f; }\nconstraints { own {\n value \"log(f)\"; atLeast 0; "
+        "} }\nsearch ( { algorithm COBYLA; } );");
+    try
+    {
+        evaluate(settings, {0.1, 0.2}, {-1});
+        FAIL() << "log(-1) has no value";
+    }
+    catch (const FatalIOError& error)
+    {
+        EXPECT_THAT(error.what(),
+                    HasSubstr("`log(f)` of system/parameterSearchDict has no value at a point"));
+        EXPECT_THAT(error.report(), HasSubstr("system/parameterSearchDict/constraints/own/value at line 3."));
+    }
+    const auto other = settingsOf("\nobjective { goal minimise; value \"sqrt(x)*f\"; } search ( { algorithm "
+                                  "DIRECT; } );");
+    try
+    {
+        evaluate(other, {-0.5, 0.2}, {1});
+        FAIL() << "sqrt(-0.5) has no value";
+    }
+    catch (const FatalIOError& error)
+    {
+        EXPECT_THAT(error.report(), HasSubstr("system/parameterSearchDict/objective/value at line 2."));
+    }
+}
+
+TEST(ParameterSearch, PraxisIsQuestionedAsItDoesNotKeepToBounds)
+{
+    const auto warnings = [](const std::string& algorithms)
+    {
+        testing::internal::CaptureStderr();
+        settingsOf("objective { goal minimise; value f; }\nsearch ( " + algorithms + " );");
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_EQ(warnings("{ algorithm DIRECT; } { algorithm SBPLX; }"), "");
+    const std::string warning = warnings("{ algorithm DIRECT; } { algorithm PRAXIS; tolerance 1e-4; }");
+    EXPECT_THAT(warning, HasSubstr("an optimum at a bound may be missed"));
+    EXPECT_THAT(warning, HasSubstr("BOBYQA"));
+    EXPECT_THAT(warning, HasSubstr("parameterSearchDict/search at line 2"));
+}
+
+TEST(ParameterSearch, EvaluationsOfPraxisOutsideTheBoundsAreCounted)
+{
+    for (const std::string algorithm : {"PRAXIS", "SBPLX"})
+    {
+        const auto settings = settingsOf("objective { goal minimise; value f; } search ( { algorithm "
+                                         + algorithm + "; maximumEvaluations 100; tolerance 1e-12; } );");
+        int within = 0;
+        const auto outcome = search(settings,
+                                    [&within](const std::vector<double>& at)
+                                    {
+                                        ++within;
+                                        return at[0] + std::abs(at[0] - 3 * at[1]);
+                                    });
+        const bool isPraxis = algorithm == "PRAXIS";
+        EXPECT_EQ(outcome.beyondBounds > 0, isPraxis) << algorithm;
+        if (isPraxis)
+        {
+            EXPECT_EQ(outcome.end, SearchEnd::evaluations);
+            EXPECT_LT(within, 100);
+            EXPECT_LE(within + outcome.beyondBounds, 100);
+        }
+    }
 }

@@ -281,6 +281,35 @@ TEST_F(LimitAnalysisResults, OfBlocksThatNothingHoldsNameTheCause)
         << log;
 }
 
+TEST_F(LimitAnalysisResults, QuestionsAStrengthInAnotherUnit)
+{
+    // 20 kN on a joint of 1 m2, which bears 5 N where MPa were meant, and 0.4 of that by friction.
+    const auto warnings = [&](const std::string& properties)
+    {
+        writeWholeFile(directory / "constant/contactProperties",
+                       "friction { type Coulomb; mu 0.4; }\n" + properties);
+        const LimitAnalysis result = solve("type inertial; direction (1 0 0);");
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        printLimitAnalysis(readLimitAnalysisCase<2>(directory), {result});
+        testing::internal::GetCapturedStdout();
+        return testing::internal::GetCapturedStderr();
+    };
+    const std::string warning = warnings("crushing { strength 5; }");
+    EXPECT_THAT(warning, testing::HasSubstr("strength = 5 [Pa] is little beside the dead load"));
+    EXPECT_THAT(warning, testing::HasSubstr("bear 5.385 N at most"));
+    EXPECT_THAT(warning, testing::HasSubstr("of its 20 kN"));
+    EXPECT_THAT(warning, testing::HasSubstr("`strength 5e+06;`"));
+    EXPECT_THAT(warning, testing::HasSubstr("constant/contactProperties/crushing/strength at line 2."));
+    EXPECT_THAT(warnings("\ncrushing { strength 5e6; } joints {\n 0-ground { crushing { strength 4; } } }"),
+                testing::HasSubstr("joints/0-ground/crushing/strength at line 4."));
+    EXPECT_EQ(warnings("crushing { strength 5e6; }"), "");
+    EXPECT_THAT(warnings("\n\n\ncrushing { strength 1e4; }"),
+                testing::AllOf(testing::HasSubstr("at line 5."), testing::Not(testing::HasSubstr("in MPa"))));
+    // By pressure and friction it bears less than its weight, with cohesion in all more.
+    EXPECT_EQ(warnings("cohesion { strength 2e4; } crushing { strength 1e4; }"), "");
+}
+
 TEST_F(LimitAnalysisResults, StatesTheMultiplierInForces)
 {
     // 20 kN, pushed at its top corner by 1 kN: it rocks at 20 x 0.5 / 2 = 5 kN.

@@ -97,6 +97,41 @@ class ParameterSearch(CaseTest):
         self.assertEqual(self.read(case, "postProcessing/parameterSearch/0/history.dat"), known)
         self.assertEqual(len(re.findall(r"^Evaluation", done.stdout, re.M)), len(re.findall(r"known\)", done.stdout)))
 
+    def testPraxisSaysThatItHasBeenOutsideTheBounds(self):
+        case = self.case("praxis", algorithm="PRAXIS", evaluations="40", bounds="40 90")
+        done = self.run_(case, status=2)
+        self.assertRegex(done.stderr, r"PRAXIS knows no bounds[^$]*BOBYQA[^$]*search at line 8")
+        said = re.search(r"not converged: PRAXIS has spent (\d+) of 40 evaluations outside the bounds.*take BOBYQA",
+                         done.stdout)
+        self.assertTrue(said, done.stdout)
+        self.assertLessEqual(int(said.group(1)) + len(self.rows(case)), 40)
+        self.assertGreater(int(said.group(1)), 0)
+
+    def testAnExpressionWithoutAValueEndsTheSearchWithItsPlace(self):
+        case = self.case("logarithm", constraints="constraints { own { value \"log(angle-95)\"; atLeast 0; } }",
+                         algorithm="COBYLA")
+        done = self.run_(case, status=1)
+        self.assertIn("has no value at a point that the search came to", done.stderr)
+        self.assertRegex(done.stderr, r"parameterSearchDict/constraints/own/value at line 7")
+
+    def testPointsWhoseSearchByCoulombsLawIsCutShortAreCountedOnce(self):
+        for name, limit, isEnded in (("endsAtOnce", 1e-9, True), ("hasTime", 1000, False)):
+            case = self.case(name, evaluations="4", algorithm="DIRECT_L", bounds="0 20", otherwise="otherwise 10;")
+            with open(os.path.join(case, "constant/contactProperties"), "w", encoding="utf-8") as file:
+                file.write(header % "contactProperties" + "friction { type Coulomb; mu 0.65; flowRule nonAssociative; }\n")
+            with open(os.path.join(case, "system/solution"), "w", encoding="utf-8") as file:
+                file.write(header % "solution" + f"limitAnalysis\n{{ nonAssociative {{\nmaximumTime {limit}; }} }}\n")
+            done = self.run_(case)
+            points = len(self.rows(case))
+            self.assertEqual(done.stderr.count("maximumTime has ended the search"), int(isEnded), done.stderr)
+            if isEnded:
+                self.assertIn(f"at {points} of {points} points", done.stderr)
+                self.assertRegex(done.stderr, r"solution/limitAnalysis/nonAssociative/maximumTime at line "
+                                 + str((header % "solution").count("\n") + 3))
+                self.set(case, evaluations="4", algorithm="DIRECT_L", bounds="0 20")
+                shutil.rmtree(os.path.join(case, "postProcessing/parameterSearch"))
+                self.assertIn("maximumTime has ended the search", self.run_(case, status=1).stderr)
+
     def testAHistoryOfAnotherCaseIsRefused(self):
         case = self.case("changed", evaluations="3", algorithm="DIRECT_L")
         self.run_(case)
