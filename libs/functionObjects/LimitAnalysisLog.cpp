@@ -22,6 +22,22 @@
 
 namespace drystone
 {
+
+std::string questionOfLowest(const CoulombRange& range)
+{
+    constexpr double farBelow = 0.1;
+    if (range.converged == 0 || !std::isfinite(range.associative)
+        || !(std::abs(range.lowest) < farBelow * std::abs(range.associative)))
+    {
+        return "";
+    }
+    return fmt::format(
+        "The lowest is {:.1g} of the associative multiplier: see whether its mechanism is one of real "
+        "joints. In space a block that turns about one of its corners may need no load, as "
+        "all its pressure can stand on that corner, a point, and not on a face.",
+        std::abs(range.lowest / range.associative));
+}
+
 namespace
 {
 
@@ -107,6 +123,10 @@ void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
              std::isfinite(range.safe)
                  ? fmt::format(", and at least that of joints without friction, {}", alphaText(range.safe))
                  : "");
+    }
+    if (const std::string question = questionOfLowest(range); !question.empty())
+    {
+        info("{}", question);
     }
     if (range.cutShortAfter)
     {

@@ -31,6 +31,10 @@ inline constexpr std::string_view coulombWords = "Coulomb's law: ";
 /// Whether a line of the log is one of collapseProgressLog.
 bool isCollapseProgress(std::string_view line);
 
+/// What is asked of a lowest collapse by Coulomb's law that is far below the associative multiplier; empty
+/// where it is not.
+std::string questionOfLowest(const CoulombRange& range);
+
 /// Multiplier, status and certificate. No multiplier is printed for what did not converge.
 template<int Dim>
 void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results);

@@ -94,6 +94,18 @@ TEST(LimitAnalysisTables, SayWhenASearchWasCutShort)
     EXPECT_THAT(coulombText(range), testing::HasSubstr(" fall[-] cutShortAfter[s]\n0 0 0 0 0 inf 60.25\n"));
 }
 
+TEST(LimitAnalysisLog, QuestionsALowestCollapseFarBelowTheAssociativeMultiplier)
+{
+    CoulombRange range;
+    range.associative = 0.372;
+    range.lowest = 0.0007;
+    EXPECT_EQ(questionOfLowest(range), ""); // none was found
+    range.converged = 3;
+    EXPECT_THAT(questionOfLowest(range), testing::HasSubstr("0.002 of the associative multiplier"));
+    range.lowest = 0.04;
+    EXPECT_EQ(questionOfLowest(range), "");
+}
+
 TEST(CollapseProgressLog, NamesTheKeyOnceWhenASearchIsLong)
 {
     for (const bool isLimited : {false, true})
