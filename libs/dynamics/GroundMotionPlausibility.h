@@ -2,7 +2,8 @@
 /// Questions about the times at which a motion of the ground is computed.
 #pragma once
 
-#include "effects/RecordPlausibility.h"
+#include "core/Doubt.h"
+#include "effects/GroundMotion.h"
 #include "runControl/TimeControls.h"
 
 #include <vector>

@@ -158,12 +158,4 @@ std::vector<Doubt> doubtsAboutRecord(const GroundMotion::Component& component, c
     return doubts;
 }
 
-void question(const std::vector<Doubt>& doubts)
-{
-    for (const Doubt& doubt : doubts)
-    {
-        printWarningOnce(doubt.text, doubt.place);
-    }
-}
-
 } // namespace drystone

@@ -2,6 +2,7 @@
 /// Questions about a record of the ground that can be computed and may not be what was meant.
 #pragma once
 
+#include "core/Doubt.h"
 #include "dictionary/Dictionary.h"
 #include "effects/GroundMotion.h"
 
@@ -10,13 +11,6 @@
 namespace drystone
 {
 
-/// A doubt about the input: what is improbable and what is usual, and where it stands.
-struct Doubt
-{
-    std::string text;
-    SourceLocation place;
-};
-
 /// What is improbable of a record: a peak that no earthquake has, a scale that converts a unit which is
 /// converted already, rows that are missing, a velocity that is left when the motion ends (the mean
 /// acceleration times the duration).
@@ -24,8 +18,5 @@ struct Doubt
 /// than `record` nothing is doubted
 std::vector<Doubt> doubtsAboutRecord(const GroundMotion::Component& component,
                                      const Dictionary& acceleration);
-
-/// Prints them as warnings, each once in a run.
-void question(const std::vector<Doubt>& doubts);
 
 } // namespace drystone

@@ -5,6 +5,7 @@
 #include "core/Log.h"
 #include "core/WholeFile.h"
 #include "dynamics/GroundMotionPlausibility.h"
+#include "effects/RecordPlausibility.h"
 #include "functionObjects/ColumnFile.h"
 #include "functionObjects/MotionLog.h"
 #include "functionObjects/MotionResults.h"

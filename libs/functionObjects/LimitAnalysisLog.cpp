@@ -416,10 +416,7 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
                 printLine(cause);
             }
         }
-        if (const std::optional<StrengthDoubt> doubt = doubtAboutCrushing(structure, result))
-        {
-            printWarningOnce(doubt->text, doubt->place);
-        }
+        question(doubtsAboutCrushing(structure, result));
         const Certificate& certificate = result.certificate;
         info(
             "Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",

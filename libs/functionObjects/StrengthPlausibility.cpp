@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace drystone
 {
@@ -65,8 +68,7 @@ std::optional<std::pair<double, std::string>> leastCrushing(const ContactPropert
 } // namespace
 
 template<int Dim>
-std::optional<StrengthDoubt> doubtAboutCrushing(const LimitAnalysisCase<Dim>& structure,
-                                                const LimitAnalysis& result)
+std::vector<Doubt> doubtsAboutCrushing(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
 {
     const auto least = leastCrushing(structure.contact);
     if (result.status != CollapseStatus::unstable || !least)
@@ -81,19 +83,19 @@ std::optional<StrengthDoubt> doubtAboutCrushing(const LimitAnalysisCase<Dim>& st
     }
     const bool isRatherMegapascal =
         least->first >= weakestInMegapascal && least->first <= hardestInMegapascal;
-    return StrengthDoubt{
-        fmt::format("strength = {:g} [Pa] is little beside the dead load: of its {} the joints on supports "
-                    "bear {} at most. Strengths are in Pa{}. It is used as it stands.",
-                    least->first, forceText(dead), forceText(borne),
-                    isRatherMegapascal
-                        ? fmt::format("; were it meant in MPa, write `strength {:g};`", 1e6 * least->first)
-                        : ""),
-        structure.contact.locations.of(least->second)};
+    return {
+        {fmt::format("strength = {:g} [Pa] is little beside the dead load: of its {} the joints on supports "
+                     "bear {} at most. Strengths are in Pa{}. It is used as it stands.",
+                     least->first, forceText(dead), forceText(borne),
+                     isRatherMegapascal
+                         ? fmt::format("; were it meant in MPa, write `strength {:g};`", 1e6 * least->first)
+                         : ""),
+         structure.contact.locations.of(least->second)}};
 }
 
-template std::optional<StrengthDoubt> doubtAboutCrushing(const LimitAnalysisCase<2>& structure,
-                                                         const LimitAnalysis& result);
-template std::optional<StrengthDoubt> doubtAboutCrushing(const LimitAnalysisCase<3>& structure,
-                                                         const LimitAnalysis& result);
+template std::vector<Doubt> doubtsAboutCrushing(const LimitAnalysisCase<2>& structure,
+                                                const LimitAnalysis& result);
+template std::vector<Doubt> doubtsAboutCrushing(const LimitAnalysisCase<3>& structure,
+                                                const LimitAnalysis& result);
 
 } // namespace drystone

@@ -3,26 +3,17 @@
 /// them is known with the answer only.
 #pragma once
 
-#include "core/Error.h"
+#include "core/Doubt.h"
 #include "statics/LimitAnalysisCase.h"
 
-#include <optional>
-#include <string>
+#include <vector>
 
 namespace drystone
 {
 
-/// What is improbable of an entry, and where it is.
-struct StrengthDoubt
-{
-    std::string text;
-    SourceLocation place;
-};
-
 /// Of a structure that cannot carry its dead load: whether the joints on supports bear less than it in all,
 /// as where a crushing strength in MPa is given as one in Pa. Nothing where they could bear it.
 template<int Dim>
-std::optional<StrengthDoubt> doubtAboutCrushing(const LimitAnalysisCase<Dim>& structure,
-                                                const LimitAnalysis& result);
+std::vector<Doubt> doubtsAboutCrushing(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
 
 } // namespace drystone
