@@ -148,7 +148,7 @@ GroundMotion readGroundMotion(const Dictionary& dictionary, const std::filesyste
     const auto add = [&](const std::array<double, 3>& direction, const AccelerationMaker& acceleration,
                          const Dictionary& described)
     {
-        motion.components.push_back({acceleration(caseDirectory), toVector(direction).normalized()});
+        motion.components.push_back({acceleration(caseDirectory), toVector(direction).stableNormalized()});
         question(doubtsAboutRecord(motion.components.back(), described.subDict("acceleration")));
     };
     if (settings.direction)

@@ -260,7 +260,7 @@ std::vector<SupportMotion<Dim>> readSupportMotions(const Dictionary& dictionary,
         SupportMotion<Dim> motion;
         questionMotion(settings, dictionary.subDict(name));
         motion.support = static_cast<int>(found - supports.begin());
-        motion.direction = settings.direction.norm() > 0 ? Vector<Dim>(settings.direction.normalized())
+        motion.direction = settings.direction.norm() > 0 ? Vector<Dim>(settings.direction.stableNormalized())
                                                          : Vector<Dim>(Vector<Dim>::Zero());
         motion.axis = unitAxisOf(settings.axis);
         motion.centre = settings.centre;

@@ -35,7 +35,7 @@ std::vector<StudyMotion> studyMotions(const std::filesystem::path& caseDirectory
         requireComponents(dictionary.subDict("records").subDict(name), Dim);
         GroundMotion::Component component{
             recordedAcceleration(record.record, caseDirectory),
-            Eigen::Map<const Eigen::Vector3d>(record.direction.data()).normalized()};
+            Eigen::Map<const Eigen::Vector3d>(record.direction.data()).stableNormalized()};
         question(doubtsAboutRecord(component, dictionary.subDict("records").subDict(name)));
         motions.push_back({name, {{std::move(component)}}, 0});
     }

@@ -125,7 +125,7 @@ Vector<Dim> unitDirection(const std::array<double, 3>& direction, const SourceLo
         throw FatalIOError("The third component of direction must be 0: the structure lies in the x-y plane.",
                            location);
     }
-    return inSpace.normalized();
+    return inSpace.stableNormalized();
 }
 
 template<int Dim>

@@ -257,6 +257,12 @@ TEST(GroundMotionDictionary, ReadsSeveralDirections)
     EXPECT_TRUE(groundAcceleration(motion, 0).isApprox(Eigen::Vector3d(3, 5, 0)));
 }
 
+TEST(GroundMotionDictionary, ADirectionMayHaveAnyLength)
+{
+    const GroundMotion motion = motionOf("direction (-1e300 0 0); acceleration { type constant; value 2; }");
+    EXPECT_EQ(groundAcceleration(motion, 0), Eigen::Vector3d(-2, 0, 0));
+}
+
 TEST(GroundMotionDictionary, SaysWhatIsWrongAndWhere)
 {
     EXPECT_THAT(refusalOf("direction (1 0 0);\nacceleration { type constnt; value 3; }"),
