@@ -91,9 +91,11 @@ void stopWhatStands(Step<Dim>& step, const Standing& carried)
             && farthest(own(step.solved.result.displacement) - way)
                    <= partOfWay * farthest(timeStep * own(step.solved.velocity) - way))
         {
-            step.lostInStopping += 0.5
-                                   * (squareOf(step.mass, body, BlockVector<Dim>(velocity))
-                                      - squareOf(step.mass, body, standing));
+            // The support stops it by an impulse M (s - v) and works on it by s: of the change of the kinetic
+            // energy, (s'M s - v'M v)/2, only -(s - v)'M (s - v)/2 is a loss.
+            const BlockVector<Dim> change = standing - velocity;
+            step.lostInStopping += 0.5 * squareOf(step.mass, body, change);
+            step.solved.workOfSupports += standing.dot(times(step.mass, body, change));
             velocity = standing;
         }
     }

@@ -47,7 +47,7 @@ struct StepSolution
     Eigen::VectorXd flight;      ///< displacement of blocks in free flight beyond the step's; or empty: none
     double lostInImpacts = 0;    ///< [J]
     double rubbedInImpacts = 0;  ///< of it by friction [J]
-    double workOfSupports = 0;   ///< in impacts [J]
+    double workOfSupports = 0;   ///< in impacts, and on bodies that they stop [J]
     double restitutionShare = 1; ///< the least of the impacts, see Impact
     Eigen::VectorXd impulse;     ///< of all impacts, Dim a point [N s]; empty: there were none
     int impacts = 0;             ///< [-]

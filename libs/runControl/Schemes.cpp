@@ -83,8 +83,9 @@ void declare(Options& options, Schemes& schemes)
     options.optional("impacts", schemes.impacts,
                      "when blocks collide that meet in the course of a step, with restitution or theta below "
                      "1: when they do, up to a dozen times a step, or all at its start, as always in a "
-                     "structure of which more than two pairs of bodies meet in one step, or where the solver "
-                     "has a tolerance of 1e-4 or more");
+                     "structure of which more than two pairs of bodies meet in one step, after a tenth of "
+                     "maximumFactorisations has been spent in a step, or where the solver has a tolerance of "
+                     "1e-4 or more");
     options.optional(
         "smallDisplacements", schemes.smallDisplacements,
         "contact points and lever arms stay as built: faster, and wrong once a block has moved by "
