@@ -383,6 +383,11 @@ void MovingContacts<2>::dropDeeper()
         }
         return a.gapAhead < b.gapAhead - same;
     };
+    const auto isBehindAhead = [](const Candidate& candidate) { return candidate.gapAhead < 0; };
+    if (std::none_of(candidates.begin(), candidates.end(), isBehindAhead))
+    {
+        return;
+    }
     for (std::size_t i = 0; i < candidates.size(); ++i)
     {
         for (std::size_t j = 0; j < candidates.size(); ++j)

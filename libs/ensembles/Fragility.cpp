@@ -258,4 +258,42 @@ std::vector<Stripe> resampled(const std::vector<Stripe>& stripes, std::uint64_t 
     return drawn;
 }
 
+TruncatedCurves resampled(const TruncatedCurves& curves, std::uint64_t seed, std::uint32_t replicate)
+{
+    TruncatedCurves drawn;
+    for (std::size_t i = 0; i < curves.count(); ++i)
+    {
+        const double place =
+            uniform(seed, Stream::bootstrap, replicate, i) * static_cast<double>(curves.count());
+        const auto chosen = static_cast<std::size_t>(place);
+        if (chosen < curves.failing.size())
+        {
+            drawn.failing.push_back(curves.failing[chosen]);
+        }
+        else
+        {
+            drawn.standing.push_back(curves.standing[chosen - curves.failing.size()]);
+        }
+    }
+    return drawn;
+}
+
+std::vector<std::pair<double, double>> failedParts(TruncatedCurves curves)
+{
+    std::sort(curves.failing.begin(), curves.failing.end());
+    std::sort(curves.standing.begin(), curves.standing.end());
+    std::vector<std::pair<double, double>> parts;
+    double standing = 1;
+    for (std::size_t i = 0; i < curves.failing.size(); ++i)
+    {
+        const double intensity = curves.failing[i];
+        const auto triedSoFar = curves.standing.end()
+                                - std::lower_bound(curves.standing.begin(), curves.standing.end(), intensity);
+        const double left = static_cast<double>(curves.failing.size() - i) + static_cast<double>(triedSoFar);
+        standing *= 1 - 1 / left;
+        parts.emplace_back(intensity, 1 - standing);
+    }
+    return parts;
+}
+
 } // namespace drystone

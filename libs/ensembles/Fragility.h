@@ -3,8 +3,10 @@
 /// Efficient analytical fragility function fitting using dynamic structural analysis).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace drystone
@@ -29,6 +31,15 @@ struct FragilityFit
     double probability(double intensity) const;
 };
 
+/// Structures whose intensity was raised, each a curve.
+struct TruncatedCurves
+{
+    std::vector<double> failing;  ///< lowest intensity at which each fails that does
+    std::vector<double> standing; ///< highest intensity at which each of the others was tried
+
+    std::size_t count() const { return failing.size() + standing.size(); }
+};
+
 /// Binomial likelihood of stripes (Baker's equation 11). \return nothing where it has no maximum: no run that
 /// failed lies below one that stood, or failures do not grow with the intensity
 std::optional<FragilityFit> fitStripes(const std::vector<Stripe>& stripes);
@@ -45,5 +56,12 @@ std::optional<FragilityFit> fitTruncated(const std::vector<double>& failing,
 /// Tibshirani 1993, section 9.5). \param replicate number of the drawing
 std::vector<Stripe> resampled(const std::vector<Stripe>& stripes, std::uint64_t seed,
                               std::uint32_t replicate);
+
+/// As many curves as there are, each one of them by chance. \param replicate likewise
+TruncatedCurves resampled(const TruncatedCurves& curves, std::uint64_t seed, std::uint32_t replicate);
+
+/// The part of the curves that have failed up to each intensity at which some do, where others were not tried
+/// as far (Kaplan & Meier 1958). \return pairs of intensity and part, ascending
+std::vector<std::pair<double, double>> failedParts(TruncatedCurves curves);
 
 } // namespace drystone

@@ -1,7 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The statistic `fragility`: samples into stripes, or into the intensities at which curves first fail.
 #include "ensembles/Fragility.h"
-#include "ensembles/Philox.h"
 #include "ensembles/StatisticTypes.h"
 
 #include <fmt/format.h>
@@ -135,16 +134,13 @@ std::vector<Stripe> stripesOf(const Observations& observations)
     return sorted;
 }
 
-/// The curves: those that fail by the lowest intensity at which they do, the others by the highest at which
-/// they were tried.
-struct Truncated
+/// The curves that samples are points of.
+struct CurvesOfSamples : TruncatedCurves
 {
-    std::vector<double> failing;
-    std::vector<double> standing;
     std::size_t repeated = 0; ///< samples at an intensity at which their curve has another one
 };
 
-Truncated truncatedOf(const Observations& observations)
+CurvesOfSamples curvesOf(const Observations& observations)
 {
     struct Tried
     {
@@ -152,7 +148,7 @@ Truncated truncatedOf(const Observations& observations)
         double highest = 0;
         std::set<double> intensities;
     };
-    Truncated result;
+    CurvesOfSamples result;
     std::map<std::string, Tried> curves;
     for (std::size_t i = 0; i < observations.intensity.size(); ++i)
     {
@@ -170,57 +166,14 @@ Truncated truncatedOf(const Observations& observations)
     return result;
 }
 
-/// As many curves as there are, each one of them.
-Truncated resampledCurves(const Truncated& truncated, std::uint64_t seed, std::uint32_t replicate)
-{
-    Truncated drawn;
-    const std::size_t curves = truncated.failing.size() + truncated.standing.size();
-    for (std::size_t i = 0; i < curves; ++i)
-    {
-        const double place = uniform(seed, Stream::bootstrap, replicate, i) * static_cast<double>(curves);
-        const auto chosen = static_cast<std::size_t>(place);
-        if (chosen < truncated.failing.size())
-        {
-            drawn.failing.push_back(truncated.failing[chosen]);
-        }
-        else
-        {
-            drawn.standing.push_back(truncated.standing[chosen - truncated.failing.size()]);
-        }
-    }
-    return drawn;
-}
-
-/// The part of the curves that have failed up to each intensity at which some do, where others were not tried
-/// as far (Kaplan & Meier 1958).
-std::vector<std::pair<double, double>> failedParts(Truncated truncated)
-{
-    std::sort(truncated.failing.begin(), truncated.failing.end());
-    std::sort(truncated.standing.begin(), truncated.standing.end());
-    std::vector<std::pair<double, double>> parts;
-    double standing = 1;
-    for (std::size_t i = 0; i < truncated.failing.size(); ++i)
-    {
-        const double intensity = truncated.failing[i];
-        const auto triedSoFar =
-            truncated.standing.end()
-            - std::lower_bound(truncated.standing.begin(), truncated.standing.end(), intensity);
-        const double left =
-            static_cast<double>(truncated.failing.size() - i) + static_cast<double>(triedSoFar);
-        standing *= 1 - 1 / left;
-        parts.emplace_back(intensity, 1 - standing);
-    }
-    return parts;
-}
-
 std::optional<FragilityFit> fitOf(FragilityMethod method, const Observations& observations)
 {
     if (method == FragilityMethod::multipleStripe)
     {
         return fitStripes(stripesOf(observations));
     }
-    const Truncated truncated = truncatedOf(observations);
-    return fitTruncated(truncated.failing, truncated.standing);
+    const TruncatedCurves curves = curvesOf(observations);
+    return fitTruncated(curves.failing, curves.standing);
 }
 
 /// Fits of samples that are drawn again: of stripes run by run, of curves curve by curve.
@@ -236,7 +189,7 @@ std::vector<FragilityFit> bootstrap(const FragilitySettings& settings, const Obs
         }
     };
     const std::vector<Stripe> stripes = stripesOf(observations);
-    const Truncated truncated = observations.curve.empty() ? Truncated() : truncatedOf(observations);
+    const TruncatedCurves curves = observations.curve.empty() ? TruncatedCurves() : curvesOf(observations);
     for (int replicate = 0; replicate < settings.bootstrap; ++replicate)
     {
         const auto number = static_cast<std::uint32_t>(replicate);
@@ -245,8 +198,7 @@ std::vector<FragilityFit> bootstrap(const FragilitySettings& settings, const Obs
             add(fitStripes(resampled(stripes, seed, number)));
             continue;
         }
-        // Each curve is one that failed, or one that stood: draw as many as there are.
-        const Truncated drawn = resampledCurves(truncated, seed, number);
+        const TruncatedCurves drawn = resampled(curves, seed, number);
         add(fitTruncated(drawn.failing, drawn.standing));
     }
     return fits;
@@ -286,79 +238,158 @@ void addRows(StatisticResult& result, const std::string& suffix, const Fragility
     result.rows.push_back({"logBetaStandardError" + suffix, fit.logBetaError, none, none, none});
 }
 
+/// A curve of the picture without points yet.
+PlotCurve emptyCurve(std::string label, CurveLine line, CurveMarker marker, std::string colour = "")
+{
+    return {std::move(label), {}, {}, line, marker, std::move(colour)};
+}
+
+void addPoint(PlotCurve& curve, double x, double y)
+{
+    curve.x.push_back(x);
+    curve.y.push_back(y);
+}
+
+/// The curve from 0 to a little beyond the highest intensity, and its band where drawings give one.
+std::vector<PlotCurve> curveAndBand(const FragilityFit& fit, const std::vector<FragilityFit>& fits,
+                                    double highest)
+{
+    constexpr int pieces = 60;
+    PlotCurve curve = emptyCurve(fmt::format("theta {:.4g}, beta {:.4g}", fit.theta, fit.beta),
+                                 CurveLine::solid, CurveMarker::none);
+    PlotCurve low = emptyCurve("band of 95% (bootstrap)", CurveLine::dashed, CurveMarker::none, "#888888");
+    PlotCurve high = emptyCurve("", CurveLine::dashed, CurveMarker::none, "#888888");
+    for (int i = 0; i <= pieces; ++i)
+    {
+        const double x = 1.1 * highest * i / pieces;
+        addPoint(curve, x, fit.probability(x));
+        const auto band = intervalOf(fits, [x](const FragilityFit& drawn) { return drawn.probability(x); });
+        if (std::isfinite(band.first))
+        {
+            addPoint(low, x, band.first);
+            addPoint(high, x, band.second);
+        }
+    }
+    return low.x.empty() ? std::vector{curve} : std::vector{curve, low, high};
+}
+
+/// Rows of the table: intensity, runs, exceeded, part, fitted. Of stripes each one, of curves each intensity
+/// at which some have failed.
+std::vector<std::vector<double>> failedRows(FragilityMethod method, const Observations& observations,
+                                            const FragilityFit& fit)
+{
+    std::vector<std::vector<double>> rows;
+    if (method == FragilityMethod::multipleStripe)
+    {
+        for (const Stripe& stripe : stripesOf(observations))
+        {
+            const auto runs = static_cast<double>(stripe.runs);
+            const auto exceeded = static_cast<double>(stripe.exceeded);
+            rows.push_back(
+                {stripe.intensity, runs, exceeded, exceeded / runs, fit.probability(stripe.intensity)});
+        }
+        return rows;
+    }
+    const TruncatedCurves curves = curvesOf(observations);
+    double failed = 0;
+    for (const auto& [intensity, part] : failedParts(curves))
+    {
+        rows.push_back(
+            {intensity, static_cast<double>(curves.count()), ++failed, part, fit.probability(intensity)});
+    }
+    return rows;
+}
+
 /// The curve with its band, and the part of each stripe, or of the curves, that has failed.
 void draw(StatisticResult& result, const std::string& name, const FragilitySettings& settings,
           const Observations& observations, const FragilityFit& fit, const std::vector<FragilityFit>& fits)
 {
+    result.table.columns = {"intensity", "runs", "exceeded", "part", "fitted"};
+    result.table.rows = failedRows(settings.method, observations, fit);
+    PlotCurve parts =
+        emptyCurve(settings.method == FragilityMethod::multipleStripe ? "stripes" : "curves that have failed",
+                   CurveLine::none, CurveMarker::circle);
+    for (const std::vector<double>& row : result.table.rows)
+    {
+        addPoint(parts, row[0], row[3]);
+    }
     Plot plot;
     plot.title = fmt::format("{}: probability of {}", name, settings.exceeded);
     plot.x.label = settings.intensity;
     plot.y.label = "probability";
     plot.y.lower = 0;
     plot.y.upper = 1;
-    PlotCurve curve{fmt::format("theta {:.4g}, beta {:.4g}", fit.theta, fit.beta),
-                    {},
-                    {},
-                    CurveLine::solid,
-                    CurveMarker::none,
-                    {}};
-    PlotCurve low{"band of 95% (bootstrap)", {}, {}, CurveLine::dashed, CurveMarker::none, "#888888"};
-    PlotCurve high{"", {}, {}, CurveLine::dashed, CurveMarker::none, "#888888"};
-    const double highest = *std::max_element(observations.intensity.begin(), observations.intensity.end());
-    for (int i = 0; i <= 60; ++i)
-    {
-        const double x = 1.1 * highest * i / 60;
-        curve.x.push_back(x);
-        curve.y.push_back(fit.probability(x));
-        const auto band = intervalOf(fits, [x](const FragilityFit& drawn) { return drawn.probability(x); });
-        if (std::isfinite(band.first))
-        {
-            low.x.push_back(x);
-            low.y.push_back(band.first);
-            high.x.push_back(x);
-            high.y.push_back(band.second);
-        }
-    }
-    plot.curves = {curve};
-    if (!low.x.empty())
-    {
-        plot.curves.push_back(low);
-        plot.curves.push_back(high);
-    }
-    PlotCurve parts{settings.method == FragilityMethod::multipleStripe ? "stripes"
-                                                                       : "curves that have failed",
-                    {},
-                    {},
-                    CurveLine::none,
-                    CurveMarker::circle,
-                    {}};
-    result.table.columns = {"intensity", "runs", "exceeded", "part", "fitted"};
-    if (settings.method == FragilityMethod::multipleStripe)
-    {
-        for (const Stripe& stripe : stripesOf(observations))
-        {
-            const double part = static_cast<double>(stripe.exceeded) / static_cast<double>(stripe.runs);
-            parts.x.push_back(stripe.intensity);
-            parts.y.push_back(part);
-            result.table.rows.push_back({stripe.intensity, static_cast<double>(stripe.runs),
-                                         static_cast<double>(stripe.exceeded), part,
-                                         fit.probability(stripe.intensity)});
-        }
-    }
-    else
-    {
-        const Truncated truncated = truncatedOf(observations);
-        const auto curves = static_cast<double>(truncated.failing.size() + truncated.standing.size());
-        double failed = 0;
-        for (const auto& [intensity, part] : failedParts(truncated))
-        {
-            parts.x.push_back(intensity);
-            parts.y.push_back(part);
-            result.table.rows.push_back({intensity, curves, ++failed, part, fit.probability(intensity)});
-        }
-    }
+    plot.curves = curveAndBand(
+        fit, fits, *std::max_element(observations.intensity.begin(), observations.intensity.end()));
     plot.curves.push_back(std::move(parts));
     result.pictures.emplace_back("", std::move(plot));
+}
+
+/// Adds a remark on what is odd in samples that give a curve all the same.
+void addRemarks(StatisticResult& result, const FragilitySettings& settings, const Observations& observations)
+{
+    if (observations.unplaced > 0)
+    {
+        result.remarks.push_back(
+            fmt::format("{} samples without {} are left out", observations.unplaced, settings.intensity));
+    }
+    if (observations.undefined > 0)
+    {
+        result.remarks.push_back(
+            fmt::format("{} samples count as failed since `{}` is not defined with their values",
+                        observations.undefined, settings.exceeded));
+    }
+}
+
+/// Why there is no curve; empty where there may be one.
+std::string whyNoCurve(const FragilitySettings& settings, const Observations& observations)
+{
+    // A result may be 0 or 1 and a condition by itself, which is known by its values alone.
+    if (observations.numbers > 0)
+    {
+        return fmt::format("`{0}` is a number, not a condition: compare it, as in \"{0} > 0.05\"; in {1} "
+                           "samples it is neither 0 nor 1, and there is no curve",
+                           settings.exceeded, observations.numbers);
+    }
+    const auto isNotAbove0 = [](double intensity) { return !(intensity > 0); };
+    if (std::any_of(observations.intensity.begin(), observations.intensity.end(), isNotAbove0))
+    {
+        return fmt::format("{} is not above 0 in all samples: there is no lognormal curve",
+                           settings.intensity);
+    }
+    return "";
+}
+
+/// Fits a curve to the samples and adds its rows. \param suffix of their names \param isDrawn whether it is
+/// the one of the picture
+void addCurve(StatisticResult& result, const std::string& name, const FragilitySettings& settings,
+              const Observations& observations, const std::string& suffix, bool isDrawn)
+{
+    const std::optional<FragilityFit> fit =
+        observations.intensity.empty() ? std::nullopt : fitOf(settings.method, observations);
+    if (!fit)
+    {
+        result.remarks.emplace_back(
+            settings.method == FragilityMethod::multipleStripe
+                ? "The likelihood has no maximum: samples that exceed and samples that do not have to "
+                  "overlap, and their part has to grow with the intensity. Take more samples, or other "
+                  "intensities"
+                : "The likelihood has no maximum: no curve fails, or all fail at one intensity. Take "
+                  "more curves, or more intensities");
+        return;
+    }
+    const std::vector<FragilityFit> fits = bootstrap(settings, observations);
+    if (static_cast<int>(fits.size()) < settings.bootstrap)
+    {
+        result.remarks.push_back(
+            fmt::format("{} of {} bootstrap drawings have no maximum and are left out of the band",
+                        settings.bootstrap - static_cast<int>(fits.size()), settings.bootstrap));
+    }
+    addRows(result, suffix, *fit, fits);
+    if (isDrawn)
+    {
+        draw(result, name, settings, observations, *fit, fits);
+    }
 }
 
 StatisticResult evaluateFragility(const FragilitySettings& settings, const std::string& name,
@@ -370,79 +401,32 @@ StatisticResult evaluateFragility(const FragilitySettings& settings, const std::
     result.rows.push_back({"samples", static_cast<double>(table.rows()), none, none, none});
     result.rows.push_back(
         {"failed", static_cast<double>(standing.failures + standing.unplaced), none, none, none});
-    if (standing.unplaced > 0)
+    addRemarks(result, settings, standing);
+    if (const std::string why = whyNoCurve(settings, standing); !why.empty())
     {
-        result.remarks.push_back(
-            fmt::format("{} samples without {} are left out", standing.unplaced, settings.intensity));
-    }
-    if (standing.undefined > 0)
-    {
-        result.remarks.push_back(
-            fmt::format("{} samples count as failed since `{}` is not defined with their values",
-                        standing.undefined, settings.exceeded));
-    }
-    // A result may be 0 or 1 and a condition by itself, which is known by its values alone.
-    if (standing.numbers > 0)
-    {
-        result.remarks.push_back(fmt::format("`{0}` is a number, not a condition: compare it, as in \"{0} > "
-                                             "0.05\"; in {1} samples it is neither 0 nor 1, and there is no "
-                                             "curve",
-                                             settings.exceeded, standing.numbers));
+        result.remarks.push_back(why);
         return result;
     }
-    if (std::any_of(standing.intensity.begin(), standing.intensity.end(), [](double x) { return !(x > 0); }))
+    const std::size_t repeated =
+        settings.method == FragilityMethod::truncatedIDA ? curvesOf(standing).repeated : 0;
+    if (repeated > 0)
     {
-        result.remarks.push_back(
-            fmt::format("{} is not above 0 in all samples: there is no lognormal curve", settings.intensity));
+        result.remarks.push_back(fmt::format("{} samples have the curve and the intensity of another one: a "
+                                             "curve fails there if one of them does",
+                                             repeated));
+    }
+    if (standing.failures == 0)
+    {
+        addCurve(result, name, settings, standing, "", true);
         return result;
     }
-    if (settings.method == FragilityMethod::truncatedIDA)
-    {
-        if (const std::size_t repeated = truncatedOf(standing).repeated; repeated > 0)
-        {
-            result.remarks.push_back(
-                fmt::format("{} samples have the curve and the intensity of another one: a "
-                            "curve fails there if one of them does",
-                            repeated));
-        }
-    }
-    const auto fitAndAdd = [&](const std::string& suffix, const Observations& observations, bool isDrawn)
-    {
-        const std::optional<FragilityFit> fit =
-            observations.intensity.empty() ? std::nullopt : fitOf(settings.method, observations);
-        if (!fit)
-        {
-            result.remarks.emplace_back(
-                settings.method == FragilityMethod::multipleStripe
-                    ? "The likelihood has no maximum: samples that exceed and samples that do not have to "
-                      "overlap, and their part has to grow with the intensity. Take more samples, or other "
-                      "intensities"
-                    : "The likelihood has no maximum: no curve fails, or all fail at one intensity. Take "
-                      "more curves, or more intensities");
-            return;
-        }
-        const std::vector<FragilityFit> fits = bootstrap(settings, observations);
-        if (static_cast<int>(fits.size()) < settings.bootstrap)
-        {
-            result.remarks.push_back(
-                fmt::format("{} of {} bootstrap drawings have no maximum and are left out of the band",
-                            settings.bootstrap - static_cast<int>(fits.size()), settings.bootstrap));
-        }
-        addRows(result, suffix, *fit, fits);
-        if (isDrawn)
-        {
-            draw(result, name, settings, observations, *fit, fits);
-        }
-    };
-    fitAndAdd(standing.failures > 0 ? "FailedAsStanding" : "", standing, standing.failures == 0);
-    if (standing.failures > 0)
-    {
-        result.remarks.push_back(
-            fmt::format("{} samples have no result: the curve is given with them as standing "
-                        "and as fallen; the picture is the latter",
-                        standing.failures));
-        fitAndAdd("FailedAsFallen", observationsOf(settings, table, FailedAs::fallen), true);
-    }
+    addCurve(result, name, settings, standing, "FailedAsStanding", false);
+    result.remarks.push_back(
+        fmt::format("{} samples have no result: the curve is given with them as standing "
+                    "and as fallen; the picture is the latter",
+                    standing.failures));
+    addCurve(result, name, settings, observationsOf(settings, table, FailedAs::fallen), "FailedAsFallen",
+             true);
     return result;
 }
 

@@ -199,104 +199,159 @@ void printSearch(const ParameterSearch& search, const SearchHistory& history)
     printLine();
 }
 
+namespace
+{
+
+/// A search while it runs: what has been evaluated so far, and the best of it.
+struct RunningSearch
+{
+    const ParameterSearch& search;
+    SearchHistory& history;
+    double start = clockTime(); ///< [s]
+    std::optional<double> bestObjective = {};
+    double bestViolation = std::numeric_limits<double>::infinity();
+    int evaluations = 0;
+    int computed = 0;            ///< of these, the others were known
+    int cutShort = 0;            ///< of the computed ones: maximumTime has ended a search in a case of theirs
+    std::string cutShortIn = {}; ///< the last such case
+};
+
+/// \return whether it is the best point so far, which from now on is the one to be compared with
+bool takeIfBest(RunningSearch& running, const Evaluation& found)
+{
+    const double sign = running.search.settings.objective.sign();
+    const bool isBest = !running.bestObjective || found.violation < running.bestViolation
+                        || (found.violation == running.bestViolation
+                            && sign * found.objective < sign * *running.bestObjective);
+    if (isBest)
+    {
+        running.bestObjective = found.objective;
+        running.bestViolation = found.violation;
+    }
+    return isBest;
+}
+
+void printEvaluation(const RunningSearch& running, const Evaluation& found, const std::string& remark)
+{
+    info("Evaluation {}: {}{}", running.evaluations, outcomeText(running.search.settings, found), remark);
+    std::fflush(stdout); // for those who follow the log
+}
+
+/// The longest that the search may still take, as fast as it was until now.
+std::string longestLeft(const RunningSearch& running)
+{
+    int most = 0;
+    for (const SearchStage& stage : running.search.settings.search)
+    {
+        most += stage.maximumEvaluations;
+    }
+    return durationText((clockTime() - running.start) / running.computed
+                        * std::max(0, most - running.evaluations));
+}
+
+/// The case is at fault where nothing but input errors comes of the first points.
+void requireComputable(const RunningSearch& running, const std::vector<double>& variables,
+                       const PointRun& run)
+{
+    const std::vector<SearchRecord>& records = running.history.records();
+    const bool mayBeAtABound = records.empty() && hasOtherwise(running.search.settings);
+    if (!run.failure.empty() && run.failureStatus == 1 && areInputErrors(records) && !mayBeAtABound)
+    {
+        throw FatalError(fmt::format("The first point{} of the search cannot be computed: {}.\n{}\n\nAt {}.",
+                                     records.empty() ? "" : "s", run.failure, run.errorOutput,
+                                     pointText(running.search.settings, variables)));
+    }
+}
+
+/// Why a table of a point may have no number.
+std::string reasonOfNoNumber(const PointRun& run)
+{
+    if (!run.failure.empty())
+    {
+        return run.failure + ".\n" + run.errorOutput;
+    }
+    return run.cutShortIn.empty()
+               ? "The table says so: the structure does not stand there, or any load is carried."
+               : "The table says so, and maximumTime has ended the search for collapses by Coulomb's law "
+                 "there, before all was tried: raise it, or remove it.";
+}
+
+Evaluation evaluateKnown(RunningSearch& running, const SearchRecord& known)
+{
+    const ParameterSearch& search = running.search;
+    const Evaluation found =
+        evaluate(search.settings, known.variables,
+                 completed(search, known.variables, known.results, "The history of the search has none."));
+    takeIfBest(running, found);
+    printEvaluation(running, found, "  (known)");
+    return found;
+}
+
+Evaluation evaluateComputed(RunningSearch& running, const std::vector<double>& variables, const PointRun& run)
+{
+    const ParameterSearch& search = running.search;
+    requireComputable(running, variables, run);
+    const Evaluation found = evaluate(search.settings, variables,
+                                      completed(search, variables, run.results, reasonOfNoNumber(run)));
+    running.history.add({variables, run.results, run.failureStatus, run.cpuTime});
+    ++running.computed;
+    if (!run.cutShortIn.empty())
+    {
+        ++running.cutShort;
+        running.cutShortIn = run.cutShortIn;
+    }
+    printEvaluation(running, found,
+                    fmt::format("{}  ({:.2f} s; at most {} left)",
+                                run.failure.empty() ? "" : "  " + run.failure, run.cpuTime,
+                                longestLeft(running)));
+    if (takeIfBest(running, found))
+    {
+        keepAsBest(search);
+    }
+    return found;
+}
+
+/// Warns that multipliers of computed points depend on the time that there was for them.
+void questionCutShort(const RunningSearch& running)
+{
+    if (running.cutShort == 0)
+    {
+        return;
+    }
+    const fs::path solution = running.search.caseDirectory / running.cutShortIn / "system/solution";
+    printWarning(
+        fmt::format("maximumTime has ended the search for collapses by Coulomb's law at {} of {} points that "
+                    "were computed, before all was tried: their multipliers depend on how fast this "
+                    "machine is and what else it does, and are no numbers where no collapse was found. "
+                    "Raise maximumTime, or remove it.",
+                    running.cutShort, running.computed),
+        EntryLocations(Dictionary::readFileIfPresent(solution.lexically_normal()))
+            .of("limitAnalysis/nonAssociative/maximumTime"));
+}
+
+} // namespace
+
 SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
 {
-    const ParameterSearchSettings& settings = search.settings;
-    std::optional<double> bestObjective;
-    double bestViolation = std::numeric_limits<double>::infinity();
-    int number = 0;
-    int computed = 0;
-    int cutShort = 0;
-    std::string cutShortIn;
-    int mostEvaluations = 0;
-    for (const SearchStage& stage : settings.search)
-    {
-        mostEvaluations += stage.maximumEvaluations;
-    }
-    const double start = clockTime();
-    const Evaluator evaluator = [&](const std::vector<double>& variables) -> std::optional<Evaluation>
+    RunningSearch running{search, history};
+    const Evaluator evaluator = [&running](const std::vector<double>& variables) -> std::optional<Evaluation>
     {
         if (stopSignal() != 0)
         {
             return {};
         }
-        ++number;
-        const auto report = [&](const Evaluation& found, const std::string& remark)
+        ++running.evaluations;
+        if (const SearchRecord* known = running.history.find(variables))
         {
-            info("Evaluation {}: {}{}", number, outcomeText(settings, found), remark);
-            std::fflush(stdout); // for those who follow the log
-            const double sign = settings.objective.sign();
-            const bool isBest =
-                !bestObjective || found.violation < bestViolation
-                || (found.violation == bestViolation && sign * found.objective < sign * *bestObjective);
-            if (isBest)
-            {
-                bestObjective = found.objective;
-                bestViolation = found.violation;
-            }
-            return isBest;
-        };
-        if (const SearchRecord* known = history.find(variables))
-        {
-            const Evaluation found =
-                evaluate(settings, variables,
-                         completed(search, variables, known->results, "The history of the search has none."));
-            report(found, "  (known)");
-            return found;
+            return evaluateKnown(running, *known);
         }
-        const PointRun run = runPoint(search, variables);
-        if (run.isInterrupted)
-        {
-            return {};
-        }
-        if (!run.failure.empty() && run.failureStatus == 1 && areInputErrors(history.records())
-            && (!history.records().empty() || !hasOtherwise(settings)))
-        {
-            throw FatalError(
-                fmt::format("The first point{} of the search cannot be computed: {}.\n{}\n\nAt {}.",
-                            history.records().empty() ? "" : "s", run.failure, run.errorOutput,
-                            pointText(settings, variables)));
-        }
-        const std::string reason =
-            !run.failure.empty() ? run.failure + ".\n" + run.errorOutput
-            : run.cutShortIn.empty()
-                ? "The table says so: the structure does not stand there, or any load is carried."
-                : "The table says so, and maximumTime has ended the search for collapses by Coulomb's law "
-                  "there, before all was tried: raise it, or remove it.";
-        const Evaluation found =
-            evaluate(settings, variables, completed(search, variables, run.results, reason));
-        history.add({variables, run.results, run.failureStatus, run.cpuTime});
-        ++computed;
-        if (!run.cutShortIn.empty())
-        {
-            ++cutShort;
-            cutShortIn = run.cutShortIn;
-        }
-        if (report(found, fmt::format("{}  ({:.2f} s; at most {} left)",
-                                      run.failure.empty() ? "" : "  " + run.failure, run.cpuTime,
-                                      durationText((clockTime() - start) / computed
-                                                   * std::max(0, mostEvaluations - number)))))
-        {
-            keepAsBest(search);
-        }
-        return found;
+        const PointRun run = runPoint(running.search, variables);
+        return run.isInterrupted ? std::optional<Evaluation>() : evaluateComputed(running, variables, run);
     };
-    SearchOutcome outcome = searchBest(settings, search.start, evaluator);
+    SearchOutcome outcome = searchBest(search.settings, search.start, evaluator);
     std::error_code ignored;
     fs::remove_all(search.caseDirectory / "parameterSearch/evaluation", ignored);
-    if (cutShort > 0)
-    {
-        printWarning(
-            fmt::format(
-                "maximumTime has ended the search for collapses by Coulomb's law at {} of {} points that "
-                "were computed, before all was tried: their multipliers depend on how fast this "
-                "machine is and what else it does, and are no numbers where no collapse was found. "
-                "Raise maximumTime, or remove it.",
-                cutShort, computed),
-            EntryLocations(Dictionary::readFileIfPresent(
-                               (search.caseDirectory / cutShortIn / "system/solution").lexically_normal()))
-                .of("limitAnalysis/nonAssociative/maximumTime"));
-    }
+    questionCutShort(running);
     return outcome;
 }
 

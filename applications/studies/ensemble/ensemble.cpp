@@ -94,24 +94,83 @@ int jobsOf(const CommandLine& commandLine)
     return cores ? std::max(std::atoi(cores), 1) : 1;
 }
 
+/// Answers one sample of another program. \param files that of the parameters and that of the results, a line
+/// each
+int evaluate(const CommandLine& commandLine, const std::string& files)
+{
+    const std::size_t end = files.find('\n');
+    if (end == std::string::npos)
+    {
+        throw FatalError("-evaluate takes two files: that of the parameters and that of the results.");
+    }
+    return evaluateSample(commandLine.caseDirectory, files.substr(0, end), files.substr(end + 1));
+}
+
+Ensemble ensembleOf(const CommandLine& commandLine)
+{
+    std::vector<std::string> options;
+    if (commandLine.noFunctionObjects)
+    {
+        options.emplace_back("-noFunctionObjects");
+    }
+    return readEnsemble(commandLine.caseDirectory, options);
+}
+
+/// Makes the tables of the samples that are there.
+int process(const Ensemble& ensemble)
+{
+    compareWithPlan(ensemble);
+    const int status = results(ensemble);
+    printExecutionTime();
+    printEnd();
+    return status;
+}
+
+/// Computes the samples that are not there yet, and makes the tables. \param reports whether this program is
+/// the one of its launch that writes the log
+int compute(const Ensemble& ensemble, const WorkerSettings& workers, bool reports)
+{
+    catchStopSignals();
+    if (reports)
+    {
+        // Made before the case is tried in a copy there, which takes away the folders that it had to make:
+        // others of the launch are about to use this one.
+        std::error_code error;
+        std::filesystem::create_directories(ensembleWork(ensemble.caseDirectory), error);
+        requireReadableCase(ensemble);
+    }
+    SampleStore store(ensemble.caseDirectory, ensemble.plan, ensemble.samples(), ensemble.wholeChunk());
+    if (reports)
+    {
+        info("Processes: {}{}", workers.jobs,
+             workers.launched.size > 1 ? fmt::format(" in each of {} programs", workers.launched.size) : "");
+    }
+    const auto report = [reports](const EnsembleProgress& progress)
+    {
+        if (reports)
+        {
+            printProgress(progress);
+        }
+    };
+    const bool isComplete = computeSamples(ensemble, store, workers, report);
+    const bool isToBeWritten = workers.waitsForOthers && (isComplete || stopSignal() != 0);
+    const int status = isToBeWritten ? results(ensemble) : 0;
+    printExecutionTime();
+    printStopOrEnd("Started again, it continues.");
+    return stopSignal() != 0 ? exitStatusOfSignal(stopSignal()) : status;
+}
+
 int run(const CommandLine& commandLine)
 {
     if (const auto files = commandLine.get("evaluate"))
     {
-        const std::size_t end = files->find('\n');
-        if (end == std::string::npos)
-        {
-            throw FatalError("-evaluate takes two files: that of the parameters and that of the results.");
-        }
-        return evaluateSample(commandLine.caseDirectory, files->substr(0, end), files->substr(end + 1));
+        return evaluate(commandLine, *files);
     }
-    const Ensemble ensemble =
-        readEnsemble(commandLine.caseDirectory, commandLine.noFunctionObjects
-                                                    ? std::vector<std::string>{"-noFunctionObjects"}
-                                                    : std::vector<std::string>());
+    const Ensemble ensemble = ensembleOf(commandLine);
     const LaunchedAs launched = commandLine.parallel ? launchedAs() : LaunchedAs();
     const bool isFirst = launched.rank == 0;
-    if (isFirst || launched.isArray)
+    const bool reports = isFirst || launched.isArray;
+    if (reports)
     {
         printEnsemble(ensemble);
     }
@@ -130,45 +189,9 @@ int run(const CommandLine& commandLine)
     }
     if (commandLine.postProcess)
     {
-        compareWithPlan(ensemble);
-        const int status = results(ensemble);
-        printExecutionTime();
-        printEnd();
-        return status;
+        return process(ensemble);
     }
-
-    catchStopSignals();
-    if (isFirst || launched.isArray)
-    {
-        // Made before the case is tried in a copy there, which takes away the folders that it had to make:
-        // others of the launch are about to use this one.
-        std::error_code error;
-        std::filesystem::create_directories(ensembleWork(ensemble.caseDirectory), error);
-        requireReadableCase(ensemble);
-    }
-    SampleStore store(ensemble.caseDirectory, ensemble.plan, ensemble.samples(), ensemble.wholeChunk());
-    WorkerSettings workers{jobsOf(commandLine), launched, isFirst && !launched.isArray};
-    if (isFirst || launched.isArray)
-    {
-        info("Processes: {}{}", workers.jobs,
-             launched.size > 1 ? fmt::format(" in each of {} programs", launched.size) : "");
-    }
-    const bool isComplete = computeSamples(ensemble, store, workers,
-                                           [&](const EnsembleProgress& progress)
-                                           {
-                                               if (isFirst || launched.isArray)
-                                               {
-                                                   printProgress(progress);
-                                               }
-                                           });
-    int status = 0;
-    if (workers.waitsForOthers && (isComplete || stopSignal() != 0))
-    {
-        status = results(ensemble);
-    }
-    printExecutionTime();
-    printStopOrEnd("Started again, it continues.");
-    return stopSignal() != 0 ? exitStatusOfSignal(stopSignal()) : status;
+    return compute(ensemble, {jobsOf(commandLine), launched, isFirst && !launched.isArray}, reports);
 }
 
 /// The two files of -evaluate as one argument, a line each: other options have one.
