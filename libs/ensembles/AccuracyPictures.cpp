@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -27,83 +28,135 @@ constexpr std::size_t mostCurvesWithWorst = 8;
 /// With fewer settings than this, however many their phases, solvers cannot be compared.
 constexpr std::size_t leastSettings = 4;
 
+/// The errors of one curve of a sweep.
+struct ErrorCurve
+{
+    std::string name; ///< of its settings, where they differ from those of other curves; or empty
+    PlotCurve medians;
+    PlotCurve worsts;
+    double leastError = HUGE_VAL;
+};
+
+ErrorCurve errorCurve(const std::vector<AccuracyPoint>& points, std::string name, SweepAxis axis,
+                      const std::string& colour)
+{
+    ErrorCurve curve;
+    curve.name = std::move(name);
+    curve.worsts.line = CurveLine::dashed;
+    curve.worsts.marker = CurveMarker::none;
+    curve.worsts.colour = colour;
+    for (const AccuracyPoint& point : points)
+    {
+        if (point.isWhole())
+        {
+            const double x = axis == SweepAxis::tolerance ? point.setting.tolerance : point.cpuTime;
+            curve.medians.x.push_back(x);
+            curve.medians.y.push_back(std::max(point.medianError, leastDrawn));
+            curve.leastError = std::min(curve.leastError, point.medianError);
+            curve.worsts.x.push_back(x);
+            curve.worsts.y.push_back(std::max(point.worstError, leastDrawn));
+        }
+    }
+    return curve;
+}
+
+/// What the points are, and the processor that took their times.
+std::string subtitleOf(const AccuracyStudy& study, const SweepResult& sweep, bool isCrowded)
+{
+    std::string phases;
+    if (quantityOf(study, sweep).kind == QuantityKind::motion)
+    {
+        const int count = planOf(study, sweep).phases;
+        phases = isCrowded ? fmt::format("; median of {} phases", count)
+                           : fmt::format("; solid: median, dashed: worst of {} phases", count);
+    }
+    return fmt::format("points: {}{}; {}", axisName(sweep.axis), phases, processorName());
+}
+
+/// Colours and markers by the words of the settings, so that many curves can be told apart.
+void lookByWords(Plot& plot, const std::vector<std::vector<AccuracyPoint>>& curves, const ShownKeys& shown)
+{
+    constexpr double width = 1000;
+    constexpr double height = 560;
+    plot.width = width;
+    std::vector<std::vector<std::string>> words;
+    for (const auto& curve : curves)
+    {
+        words.push_back(wordsOf(curve.front().setting, shown));
+    }
+    if (lookBySettings(plot.curves, words))
+    {
+        plot.height = height;
+    }
+}
+
+/// At least as high as the legend is.
+void makeRoomForLegend(Plot& plot)
+{
+    constexpr double titleAndAxis = 110;
+    constexpr double line = 20;
+    const auto named = std::count_if(plot.curves.begin(), plot.curves.end(),
+                                     [](const PlotCurve& curve) { return !curve.name.empty(); });
+    plot.height = std::max(plot.height, titleAndAxis + line * static_cast<double>(named));
+}
+
+/// Marks the tolerance beyond which a smaller one costs time without gain.
+void markKnee(Plot& plot, const ErrorCurve& curve, const std::vector<AccuracyPoint>& points,
+              double uncertainty)
+{
+    if (const auto knee = kneeOf(points, uncertainty))
+    {
+        const double tolerance = points[*knee].setting.tolerance;
+        plot.references.push_back(
+            {fmt::format("knee {:g}{}{}", tolerance, curve.name.empty() ? "" : ": ", curve.name),
+             ReferenceDirection::vertical, tolerance});
+    }
+}
+
 /// Over CPU time along deltaT and points a joint; over the tolerance, with the knee, along that.
 Plot errorPlot(const AccuracyStudy& study, const AccuracyResults& results, const SweepResult& sweep)
 {
+    constexpr std::size_t mostKnees = 3;
+    constexpr double worthShowing = 0.3; // an uncertainty, of the least error
     const StudyQuantity& quantity = quantityOf(study, sweep);
     const double uncertainty = uncertaintyOf(results, sweep);
-    double leastError = HUGE_VAL;
-    const bool isMotion = quantity.kind == QuantityKind::motion;
     const bool overTolerance = sweep.axis == SweepAxis::tolerance;
     const auto curves = curvesOf(sweep);
+    const bool isCrowded = curves.size() > mostCurvesWithWorst;
+    const ShownKeys shown = differingKeys(settingsAt(sweep.points), sweep.axis);
     Plot plot;
     plot.title = fmt::format("{}: error of {}", sweep.name, quantity.name);
-    const bool isCrowded = curves.size() > mostCurvesWithWorst;
-    plot.subtitle = fmt::format(
-        "points: {}{}; {}", axisName(sweep.axis),
-        !isMotion   ? ""
-        : isCrowded ? fmt::format("; median of {} phases", planOf(study, sweep).phases)
-                    : fmt::format("; solid: median, dashed: worst of {} phases", planOf(study, sweep).phases),
-        processorName());
+    plot.subtitle = subtitleOf(study, sweep, isCrowded);
     plot.x = {overTolerance ? "tolerance of the solver" : "CPU time [s]", AxisScale::logarithmic, {}, {}};
     plot.y = {"relative error", AxisScale::logarithmic, {}, {}};
-    const ShownKeys shown = differingKeys(settingsAt(sweep.points), sweep.axis);
-    plot.width = isCrowded ? 1000 : plot.width;
-    std::vector<PlotCurve> worst;
+    double leastError = HUGE_VAL;
+    std::vector<PlotCurve> worsts;
     for (std::size_t index = 0; index < curves.size(); ++index)
     {
-        const std::string name = textOf(curves[index].front().setting, shown);
-        PlotCurve medians{
-            name.empty() ? quantity.name : name, {}, {}, CurveLine::solid, CurveMarker::automatic, {}};
-        PlotCurve worsts{"", {}, {}, CurveLine::dashed, CurveMarker::none, curveColour(index)};
-        for (const AccuracyPoint& point : curves[index])
+        ErrorCurve curve = errorCurve(curves[index], textOf(curves[index].front().setting, shown), sweep.axis,
+                                      curveColour(index));
+        curve.medians.name = curve.name.empty() ? quantity.name : curve.name;
+        leastError = std::min(leastError, curve.leastError);
+        if (overTolerance && curves.size() <= mostKnees)
         {
-            if (point.isWhole())
-            {
-                const double x = overTolerance ? point.setting.tolerance : point.cpuTime;
-                medians.x.push_back(x);
-                medians.y.push_back(std::max(point.medianError, leastDrawn));
-                leastError = std::min(leastError, point.medianError);
-                worsts.x.push_back(x);
-                worsts.y.push_back(std::max(point.worstError, leastDrawn));
-            }
+            markKnee(plot, curve, curves[index], uncertainty);
         }
-        if (const auto knee = kneeOf(curves[index], uncertainty); overTolerance && knee && curves.size() <= 3)
-        {
-            const double tolerance = curves[index][*knee].setting.tolerance;
-            plot.references.push_back(
-                {fmt::format("knee {:g}{}{}", tolerance, name.empty() ? "" : ": ", name),
-                 ReferenceDirection::vertical, tolerance});
-        }
-        plot.curves.push_back(std::move(medians));
-        worst.push_back(std::move(worsts));
+        plot.curves.push_back(std::move(curve.medians));
+        worsts.push_back(std::move(curve.worsts));
     }
     if (isCrowded)
     {
-        std::vector<std::vector<std::string>> words;
-        for (const auto& curve : curves)
-        {
-            words.push_back(wordsOf(curve.front().setting, shown));
-        }
-        if (lookBySettings(plot.curves, words))
-        {
-            plot.height = 560;
-        }
+        lookByWords(plot, curves, shown);
     }
-    const auto named = std::count_if(plot.curves.begin(), plot.curves.end(),
-                                     [](const PlotCurve& curve) { return !curve.name.empty(); });
-    plot.height = std::max(plot.height, 110 + 20.0 * static_cast<double>(named)); // of the legend
-    if (uncertainty > 0.3 * leastError)
+    makeRoomForLegend(plot);
+    if (uncertainty > worthShowing * leastError)
     {
         plot.references.push_back(
             {"uncertainty of the reference", ReferenceDirection::horizontal, uncertainty});
     }
-    if (isMotion && !isCrowded)
+    if (quantity.kind == QuantityKind::motion && !isCrowded)
     {
-        for (PlotCurve& curve : worst)
-        {
-            plot.curves.push_back(std::move(curve));
-        }
+        std::move(worsts.begin(), worsts.end(), std::back_inserter(plot.curves));
     }
     return plot;
 }
