@@ -110,9 +110,9 @@ std::vector<int> blocksBelow(const Assembly<Dim>& assembly, const SpreadAxle<Dim
     }
     const double farthest = (box.upper - box.lower).norm();
     Box<Dim> swept;
-    for (const double u : {-1.0, 1.0})
+    for (const double u : {-1.0, 0.0, 1.0}) // the steepest is in the middle
     {
-        for (const double v : {-1.0, 1.0})
+        for (const double v : {-1.0, 0.0, 1.0})
         {
             const Ray<Dim> ray = axle.ray(u, v);
             extend<Dim>(swept, ray.from);

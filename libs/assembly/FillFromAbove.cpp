@@ -105,7 +105,7 @@ bool FillFromAbove<Dim>::isSheltered(const std::vector<SurfacePiece<Dim>>& piece
     {
         const double cover = firstBlockAlong(near, place, up);
         return cover > width && std::isfinite(cover)
-               && (!level || cover < *level - place.dot(up) - width); // else it stands on the fill
+               && (!level || std::abs(*level - place.dot(up) - cover) > width); // else it stands on the fill
     };
     return std::any_of(pieces.begin(), pieces.end(),
                        [&](const SurfacePiece<Dim>& piece)
@@ -122,10 +122,7 @@ bool FillFromAbove<Dim>::isOpenAbove(const Vector<Dim>& place, const Vector<Dim>
     constexpr std::array<double, 3> parts{0.25, 0.5, 0.75};
     return std::any_of(parts.begin(), parts.end(),
                        [&](double part)
-                       {
-                           const double cover = firstBlockAlong(every, place + part * toOpposite, up);
-                           return std::isinf(cover) || (level && cover > *level - place.dot(up) + width);
-                       });
+                       { return std::isinf(firstBlockAlong(every, place + part * toOpposite, up)); });
 }
 
 template<int Dim>

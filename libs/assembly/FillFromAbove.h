@@ -14,7 +14,8 @@ namespace drystone
 
 /// Whether a fill that comes down from its level lies against faces. Level with a point of a face it does
 /// where no block stands opposite, or where something between the face and that block is open to the sky; the
-/// underside of a span and the sides of an opening it would have to rise to.
+/// underside of a span and the sides of an opening it would have to rise to, or come in from beside them
+/// where its level is below the span.
 template<int Dim>
 class FillFromAbove
 {
@@ -27,7 +28,8 @@ public:
     /// taken away from its face, and so is pressed as the face is: the answer is that of the whole face.
     bool reaches(const std::vector<SurfacePiece<Dim>>& pieces) const;
 
-    /// Whether another block stands above part of a face that looks up, below the level and apart from it.
+    /// Whether another block stands above part of a face that looks up and apart from it, but does not stand
+    /// on the fill.
     bool isSheltered(const std::vector<SurfacePiece<Dim>>& pieces) const;
 
 private:

@@ -85,6 +85,12 @@ double knownAlpha(const LimitAnalysis& result)
     return result.status == CollapseStatus::upperBound ? result.alpha : tabledAlpha(result);
 }
 
+/// Between alpha and what bounds it.
+std::string_view boundSign(const LimitAnalysis& result)
+{
+    return result.isReversed ? ">=" : "<=";
+}
+
 /// The combination nearest to collapse.
 void printGoverning(const std::vector<LimitAnalysis>& results)
 {
@@ -99,29 +105,32 @@ void printGoverning(const std::vector<LimitAnalysis>& results)
     else
     {
         info("Governing combination: {}, alpha {} {:.9g}\n", least->combination,
-             least->status == CollapseStatus::upperBound ? "<=" : "=", knownAlpha(*least));
+             least->status == CollapseStatus::upperBound ? boundSign(*least) : "=", knownAlpha(*least));
     }
 }
 
-/// What is known of the collapses by Coulomb's law: each is an upper bound of the least.
+/// What is known of the collapses by Coulomb's law: each is an upper bound of the least, for the live load
+/// reversed a lower bound.
 void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
 {
     constexpr int manyStarts = 10;
+    const double sign = result.isReversed ? -1 : 1;
     if (range.converged > 0)
     {
         info("Coulomb's law: lowest of the collapses found, alpha {} to {} ({} of {} starts converged{}); "
-             "associative, an upper bound: {}",
+             "associative, {} bound: {}",
              alphaText(range.lowest), alphaText(range.highest), range.converged, range.starts,
              range.starts < manyStarts ? ", of which more may find lower ones" : "",
-             alphaText(range.associative));
+             result.isReversed ? "a lower" : "an upper", alphaText(range.associative));
     }
     else
     {
         info("Coulomb's law: no collapse found on which the live load does work ({} starts); its multiplier "
-             "is at most that of the associative law, {}{}",
-             range.starts, alphaText(range.associative),
+             "is at {} that of the associative law, {}{}",
+             range.starts, result.isReversed ? "least" : "most", alphaText(range.associative),
              std::isfinite(range.safe)
-                 ? fmt::format(", and at least that of joints without friction, {}", alphaText(range.safe))
+                 ? fmt::format(", and at {} that of joints without friction, {}",
+                               result.isReversed ? "most" : "least", alphaText(range.safe))
                  : "");
     }
     if (const std::string question = questionOfLowest(range); !question.empty())
@@ -134,17 +143,17 @@ void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
              *range.cutShortAfter,
              range.converged > 0 ? "lower collapses may exist" : "that none was found says little");
     }
-    if (range.fall < range.lowest)
+    if (sign * range.fall < sign * range.lowest)
     {
         info("Blocks may fall under the dead load alone from alpha {} on: with other forces at rest, or as "
              "joints beside them are relieved.",
              alphaText(range.fall));
     }
-    if (result.status == CollapseStatus::optimal && result.alpha < 0)
+    if (result.status == CollapseStatus::optimal && sign * result.alpha < 0)
     {
-        info(
-            "The multiplier is below zero: some forces at rest let the dead load alone drive this mechanism, "
-            "while others carry it.");
+        info("The multiplier is {} zero: some forces at rest let the dead load alone drive this mechanism, "
+             "while others carry it.",
+             result.isReversed ? "above" : "below");
     }
 }
 
@@ -197,9 +206,10 @@ void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis
     {
         printWarning(
             fmt::format("The tolerance {:g} of jointPoints is not reached: over the whole faces of its "
-                        "joints this mechanism has alpha <= {:.6g}, {:.2g}% less. With {} contact points "
+                        "joints this mechanism has alpha {} {:.6g}, {:.2g}% less. With {} contact points "
                         "no more are added.",
-                        adaptive->tolerance, result.alpha - std::copysign(less, live.dot(result.mechanism)),
+                        adaptive->tolerance, boundSign(result),
+                        result.alpha - std::copysign(less, live.dot(result.mechanism)),
                         100 * less / std::abs(result.alpha), structure.points.size()));
         return;
     }
@@ -218,10 +228,10 @@ void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis
     if (less > worthSaying * std::abs(result.alpha))
     {
         const std::string bound = fmt::format(
-            "Over the whole faces of its joints this mechanism has alpha <= {:.6g}, {:.2g}% less: strengths "
+            "Over the whole faces of its joints this mechanism has alpha {} {:.6g}, {:.2g}% less: strengths "
             "act at contact points. With `jointPoints {{ type adaptive; tolerance 1e-4; }}` or a finer grid "
             "both come nearer to the exact multiplier.",
-            result.alpha - std::copysign(less, live.dot(result.mechanism)),
+            boundSign(result), result.alpha - std::copysign(less, live.dot(result.mechanism)),
             100 * less / std::abs(result.alpha));
         less > worthWarning* std::abs(result.alpha) ? printWarning(bound) : printLine(bound);
     }
@@ -396,7 +406,7 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
         }
         if (result.status == CollapseStatus::upperBound && std::isfinite(result.alpha))
         {
-            info("Collapse load multiplier alpha <= {:.9g}", result.alpha);
+            info("Collapse load multiplier alpha {} {:.9g}", boundSign(result), result.alpha);
         }
         if (result.coulomb)
         {

@@ -46,8 +46,9 @@ std::string caption(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis
         return structure.movement ? "no force moves the support in this direction"
                                   : "no live load of this direction makes it collapse";
     case CollapseStatus::upperBound:
-        return std::isfinite(result.alpha) ? "alpha at most " + alphaText(result.alpha)
-                                           : "no collapse was found";
+        return std::isfinite(result.alpha)
+                   ? (result.isReversed ? "alpha at least " : "alpha at most ") + alphaText(result.alpha)
+                   : "no collapse was found";
     case CollapseStatus::notConverged:
         break;
     }

@@ -105,6 +105,7 @@ private:
     void findContacts();
     void setGaps();
     void solvePosition(bool isFirst);
+    bool fallsByItself();
     PushoverEnd reasonWhyUnsolved(bool isFirst);
     void keepPoint();
     void goBackToZero();
@@ -211,13 +212,20 @@ void PushoverPath<Dim>::solvePosition(bool isFirst)
     }
 }
 
+/// Whether the blocks cannot carry the dead load where they are.
 template<int Dim>
-PushoverEnd PushoverPath<Dim>::reasonWhyUnsolved(bool isFirst)
+bool PushoverPath<Dim>::fallsByItself()
 {
     StaticProgram<Dim> dead = program;
     dead.liveLoad.resize(0);
     dead.gap.resize(0);
-    if (solveInteriorPoint(dead, solver, &symbolic).status == SolveStatus::infeasible)
+    return solveInteriorPoint(dead, solver, &symbolic).status == SolveStatus::infeasible;
+}
+
+template<int Dim>
+PushoverEnd PushoverPath<Dim>::reasonWhyUnsolved(bool isFirst)
+{
+    if (fallsByItself())
     {
         return isFirst ? PushoverEnd::unstable : PushoverEnd::falling;
     }
@@ -328,7 +336,8 @@ Pushover PushoverPath<Dim>::follow()
         point.alpha = solution.multiplier;
         point.worst = certify(program, solution).worst();
         point.iterations = solution.iterations;
-        if (isFirst && point.alpha < 0)
+        // The live load may hold up what does not stand by itself.
+        if (isFirst && (point.alpha < 0 || fallsByItself()))
         {
             result.end = PushoverEnd::unstable;
             return std::move(result);

@@ -155,6 +155,25 @@ bool isWorse(const LimitAnalysis& a, const LimitAnalysis& b)
                                             : collapses(a.status) && a.alpha < b.alpha * (1 - sameMultiplier);
 }
 
+/// Gives multipliers of the reversed live load the sign that they have for the live load.
+void giveSignOfLive(LimitAnalysis& reversed)
+{
+    reversed.isReversed = true;
+    reversed.alpha *= -1;
+    if (const std::optional<MultiplierRange> held = reversed.held)
+    {
+        reversed.held = {-held->largest, -held->least};
+    }
+    if (std::optional<CoulombRange>& range = reversed.coulomb)
+    {
+        for (double* multiplier :
+             {&range->associative, &range->safe, &range->lowest, &range->highest, &range->fall})
+        {
+            *multiplier *= -1;
+        }
+    }
+}
+
 template<int Dim>
 std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& structure, Kept<Dim>& kept)
 {
@@ -199,11 +218,7 @@ std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& stru
         reversed.program.liveLoad *= -1;
         reversed.loads.live *= -1;
         results.push_back(solveWithPoints(reversed, kept));
-        results.back().alpha *= -1;
-        if (const std::optional<MultiplierRange> held = results.back().held)
-        {
-            results.back().held = {-held->largest, -held->least};
-        }
+        giveSignOfLive(results.back());
     }
     return results;
 }

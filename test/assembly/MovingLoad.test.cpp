@@ -128,6 +128,21 @@ TEST(MovingLoad, SpreadsUniformlyThroughAFill)
     EXPECT_NEAR(beside[10], -10 * 1 / width, least);
 }
 
+TEST(MovingLoad, SpreadsSteeplyToWhatIsFarBelow)
+{
+    // 10 m below the path 60 m wide: rays at its ends are much longer than the one in its middle.
+    const Assembly<2> one{{{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, -1}}, {}};
+    MovingLoadSettings<2> settings;
+    settings.from = {0.5, 11};
+    settings.to = {1.5, 11};
+    settings.positions = 2;
+    settings.value = {0, -60};
+    settings.spread = 3;
+    const std::vector<LoadPosition<2>> positions = movingLoad(one, settings);
+    ASSERT_EQ(positions.size(), 2u);
+    EXPECT_NEAR(positions[0].live[1], -1, 1e-3);
+}
+
 TEST(MovingLoad, SpreadsToBothSidesInSpace)
 {
     Assembly<3> slab;

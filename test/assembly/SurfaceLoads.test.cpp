@@ -238,6 +238,10 @@ TEST(SurfaceLoads, EarthPressureIsLeftOutWhereTheFillWouldHaveToRise)
         EXPECT_NEAR(sideways(piers(0), 1), 0, 1e-6) << lean;
         EXPECT_NEAR(sideways(piers(0.5), 0), 0.5 * 20000 * 2, 1e-6) << lean;
         EXPECT_NEAR(sideways(piers(0.5), 1), -0.5 * 20000 * 2, 1e-6) << lean;
+        // Nor does a fill get in there whose surface is below the lintel.
+        settings.level = 1.5;
+        EXPECT_NEAR(sideways(piers(0.5), 0), 0.5 * 20000 * 1.5 * 1.5 / 2, 1e-6) << lean;
+        EXPECT_NEAR(sideways(piers(0.5), 1), -0.5 * 20000 * 1.5 * 1.5 / 2, 1e-6) << lean;
     }
 }
 
@@ -252,7 +256,8 @@ TEST(FillFromAbove, AFaceIsShelteredBelowABlockThatIsApartFromIt)
     const SurfacePiece<2> top{2, {0, 1}, {Vector<2>(1.5, 2.5), Vector<2>(0, 2.5)}, 1};
     EXPECT_TRUE(FillFromAbove<2>(plane, std::nullopt).isSheltered({ledge}));
     EXPECT_TRUE(FillFromAbove<2>(plane, 3).isSheltered({ledge}));
-    EXPECT_FALSE(FillFromAbove<2>(plane, 2).isSheltered({ledge})); // the slab stands on the fill
+    EXPECT_FALSE(FillFromAbove<2>(plane, 2).isSheltered({ledge}));  // the slab stands on the fill
+    EXPECT_TRUE(FillFromAbove<2>(plane, 1.5).isSheltered({ledge})); // it is above the fill
     EXPECT_FALSE(FillFromAbove<2>(plane, 3).isSheltered({top}));
     const auto box = [](const Vector<3>& from, const Vector<3>& to) -> Block<3>
     {
@@ -271,6 +276,7 @@ TEST(FillFromAbove, AFaceIsShelteredBelowABlockThatIsApartFromIt)
     const SurfacePiece<3> half{0, {0, 0, 1}, {Vector<3>(0, 0, 1), Vector<3>(2, 0, 1), Vector<3>(2, 1, 1)}, 1};
     EXPECT_TRUE(FillFromAbove<3>(space, 3).isSheltered({half}));
     EXPECT_FALSE(FillFromAbove<3>(space, 2).isSheltered({half}));
+    EXPECT_TRUE(FillFromAbove<3>(space, 1.5).isSheltered({half}));
 }
 
 TEST(SurfaceLoads, WhatIsTakenAwayIsPressedAsItsFaceIs)

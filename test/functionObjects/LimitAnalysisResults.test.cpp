@@ -18,6 +18,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <unistd.h>
 
 namespace drystone
@@ -291,6 +292,50 @@ TEST_F(LimitAnalysisResults, OfBlocksThatNothingHoldsNameTheCause)
                        "Cause: a block with no path to a support through joints: 2."),
               std::string::npos)
         << log;
+}
+
+TEST_F(LimitAnalysisResults, OfTheNegativeEndHaveItsSignByCoulombsLawToo)
+{
+    writeWholeFile(directory / "constant/contactProperties",
+                   "friction { type Coulomb; mu 0.4; flowRule nonAssociative; }");
+    writeWholeFile(directory / "constant/loads", "dead { type gravity; } live { type inertial; direction (1 "
+                                                 "0); } multiplier both;");
+    LimitAnalysisCase structure = readLimitAnalysisCase<2>(directory);
+    std::vector<LimitAnalysis> results = solveLimitAnalyses(structure);
+    ASSERT_EQ(results.size(), 2U);
+    ASSERT_TRUE(results[0].coulomb && results[1].coulomb);
+    EXPECT_NEAR(results[0].coulomb->lowest, 0.4, 1e-6);
+    EXPECT_NEAR(results[0].coulomb->associative, 0.4, 1e-6);
+    EXPECT_NEAR(results[1].coulomb->lowest, -0.4, 1e-6);
+    EXPECT_NEAR(results[1].coulomb->highest, -0.4, 1e-6);
+    EXPECT_NEAR(results[1].coulomb->associative, -0.4, 1e-6);
+    EXPECT_EQ(results[1].coulomb->fall, -std::numeric_limits<double>::infinity());
+
+    const auto log = [&]
+    {
+        testing::internal::CaptureStdout();
+        printLimitAnalysis(structure, results);
+        return testing::internal::GetCapturedStdout();
+    };
+    const std::string ordinary = log();
+    EXPECT_THAT(ordinary, testing::HasSubstr("associative, an upper bound: 0.400000\n"));
+    EXPECT_THAT(ordinary, testing::HasSubstr("alpha -0.400000 to -0.400000 ("));
+    EXPECT_THAT(ordinary, testing::HasSubstr("associative, a lower bound: -0.400000\n"));
+    EXPECT_THAT(ordinary, testing::Not(testing::HasSubstr("The multiplier is")));
+    EXPECT_THAT(ordinary, testing::Not(testing::HasSubstr("may fall")));
+
+    // What is not found, and pairs on the other side of zero.
+    results[1].status = CollapseStatus::upperBound;
+    results[1].coulomb->converged = 0;
+    results[1].coulomb->safe = -0.1;
+    const std::string bound = log();
+    EXPECT_THAT(bound, testing::HasSubstr("Collapse load multiplier alpha >= -0.4"));
+    EXPECT_THAT(bound,
+                testing::HasSubstr("its multiplier is at least that of the associative law, -0.400000, "
+                                   "and at most that of joints without friction, -0.100000"));
+    results[1].status = CollapseStatus::optimal;
+    results[1].alpha = 0.01;
+    EXPECT_THAT(log(), testing::HasSubstr("The multiplier is above zero: some forces at rest"));
 }
 
 TEST_F(LimitAnalysisResults, QuestionsAStrengthInAnotherUnit)

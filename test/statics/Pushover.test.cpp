@@ -166,3 +166,20 @@ TEST(Pushover, StepsWhoseMiddleIsNotSolvedAreCounted)
     EXPECT_GT(hurried.curve.size(), 10U);
     EXPECT_GT(hurried.stepsToFirstOrder, 0);
 }
+
+TEST(Pushover, OfWhatTheLiveLoadHoldsUpHasNoPosition)
+{
+    // A block that leans beyond its base: it stands for alpha from 0.5 to mu = 0.9 only, and not by itself.
+    Assembly<2> assembly;
+    assembly.supports = {{"ground", "ground"}};
+    assembly.blocks = {{{{0, 0}, {1, 0}, {3, 2}, {2, 2}}, 1}, rectangle(-5, -1, 5, 0, 0)};
+    const WeighedStructure structure(std::move(assembly));
+    for (const double sense : {1.0, -1.0})
+    {
+        LoadVectors loads = structure.weightLoads();
+        loads.live *= sense;
+        const Pushover pushover = push(structure, 0.9, {.step = 0.02}, loads);
+        EXPECT_EQ(pushover.end, PushoverEnd::unstable) << sense;
+        EXPECT_TRUE(pushover.curve.empty()) << sense;
+    }
+}
