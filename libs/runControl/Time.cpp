@@ -57,7 +57,7 @@ Time::Time(const fs::path& caseDirectory, ControlDict presence, RunsOfCase runs)
     {
         throw FatalIOError(endsBeforeStart, dictionary.locationOf("endTime"));
     }
-    now = origin = beginning = begin;
+    now = origin = beginning = detourEnd = begin;
     step = settings.deltaT;
     namePrecision = settings.timePrecision;
     startOutput();

@@ -231,6 +231,13 @@ TEST_F(TimeCase, StartsWhereItIsTold)
     EXPECT_EQ(Time(directory, ControlDict::required).startName(), "0.5");
 }
 
+TEST_F(TimeCase, BeginsBeforeTimeZero)
+{
+    control("startFrom startTime; startTime -0.2; endTime 0.1; deltaT 0.1; writeInterval 1;");
+    Time time(directory, ControlDict::required);
+    EXPECT_THAT(writeTimes(time), ElementsAre("-0.1", "0", "0.1"));
+}
+
 // A run that tells its steps apart with more digits than timePrecision leaves such directories.
 TEST_F(TimeCase, StartsFromADirectoryWithMoreDigitsThanTimePrecision)
 {
