@@ -295,7 +295,7 @@ double Time::fittingStep(double length) const
     {
         remaining = std::min(remaining, timeToOtherInstant(now, length));
     }
-    if (settings.stopAt == StopAt::endTime && settings.endTime > now)
+    if (settings.stopAt == StopAt::endTime && settings.endTime > now + sameInstant(now, length))
     {
         remaining = std::min(remaining, settings.endTime - now);
     }
