@@ -186,6 +186,20 @@ TEST(SpaceMotion, AFreeBrickTurnsOverAboutItsMiddleAxisAndKeepsEnergyAndMomentum
     }
 }
 
+// As of a number with too many digits in constant/g, or of the centre of a support: contact points were
+// looked for where there is nothing, and the program ended.
+TEST(SpaceMotion, AStepThatMovesBlocksBeyondNumbersIsNotTaken)
+{
+    for (const double gravity : {1e30, 1e160, 1e300})
+    {
+        const DynamicCase<3> scene = sceneOf(boxOnGround({1, 1, 1}, 0), 1, 0.5, {0, 0, -gravity});
+        Motion<3> motion = startMotion(scene, stateAtRest(scene.assembly));
+        EXPECT_FALSE(advance(scene, motion, 0.01)) << gravity;
+        EXPECT_EQ(motion.attempt.fault, StepFault::movesTooFar) << gravity;
+        EXPECT_TRUE(motion.state.velocity.isZero(0));
+    }
+}
+
 // No moment acts on a free brick but that of damping, along its momentum: however it turns, that keeps its
 // direction and decays as exp(-a t).
 TEST(SpaceMotion, TheMomentumOfADampedBrickThatTurnsDecaysWithoutTurning)
