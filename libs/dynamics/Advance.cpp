@@ -6,6 +6,7 @@
 #include "dynamics/HeldBlocks.h"
 #include "dynamics/PartedStep.h"
 #include "dynamics/ProvedRest.h"
+#include "dynamics/StartCheck.h"
 #include "dynamics/VerifiedStep.h"
 
 #include <algorithm>
@@ -81,6 +82,36 @@ bool turnsTooFar(const Step<Dim>& step)
     return false;
 }
 
+/// Whether a displacement is one that can be computed with, which a number that is none is not.
+template<int Dim>
+bool isWithinReach(const DynamicCase<Dim>& scene, const BlockVector<Dim>& displacement)
+{
+    return displacement.template head<Dim>().norm() < mostInAStep * scene.blockSize
+           && displacement.template tail<rotationCount<Dim>>().norm() < mostInAStep;
+}
+
+/// Whether velocities, loads or supports move a block farther in the step than can be computed with: contact
+/// points would be looked for where there is nothing.
+template<int Dim>
+bool movesTooFar(const Step<Dim>& step)
+{
+    const DynamicCase<Dim>& scene = step.scene;
+    const double timeStep = step.scheme.timeStep;
+    bool isNear =
+        step.load.allFinite() && step.acceleration * timeStep * timeStep < mostInAStep * scene.blockSize;
+    const Eigen::VectorXd& velocity = step.motion.state.velocity;
+    for (Eigen::Index row = 0; row < velocity.size(); row += freedomCount<Dim>)
+    {
+        isNear =
+            isNear && isWithinReach<Dim>(scene, timeStep * velocity.template segment<freedomCount<Dim>>(row));
+    }
+    for (const SupportStep<Dim>& support : step.supports)
+    {
+        isNear = isNear && isWithinReach<Dim>(scene, displacementAfter(support));
+    }
+    return !isNear;
+}
+
 /// Whether contacts that a step has overlooked are looked for again where it has led.
 template<int Dim>
 bool mayLookAgain(const Step<Dim>& step)
@@ -129,6 +160,11 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
     motion.stageTimes.end.reset(); // what was done between the steps is of no stage
     Step<Dim> step(scene, motion, timeStep, impacts, attemptForces);
     step.overlooking = std::move(overlooking);
+    if (movesTooFar(step))
+    {
+        motion.attempt.fault = StepFault::movesTooFar;
+        return 0;
+    }
     if (staysAtRest(step))
     {
         return 1;

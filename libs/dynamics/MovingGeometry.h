@@ -89,8 +89,11 @@ Shear<3> slip(const Step<3>& step, BlockMotions<3>& motions, std::size_t point,
 ///
 ///     J0 (w1 - w0) = dt m + (exp(-r) - 1)(J0 w0 + dt m),
 ///
-/// that of the program but for the last term, the gyroscopic one, which is put into its load over dt.
-/// \return the largest change that makes in the rotations, times the block size [m]
+/// that of the program but for the last term, the gyroscopic one, which is put into its load over dt. Damping
+/// by a takes a exp(theta r) J0 r, a times the momentum where theta weighs it, from the right hand side of
+/// the first one; seen from R0, and with theta 1, that is the a J0 r of the program. With theta below 1 the
+/// rest, a (exp((theta - 1) r) - 1) J0 r, is put into the load, too: without it damping turns momenta, to
+/// first order in the step. \return the largest change that makes in the rotations, times the block size [m]
 inline double turnMomenta(const Step<2>&, const Eigen::VectorXd&, const Eigen::VectorXd&, StepProgram<2>&)
 {
     return 0;

@@ -21,9 +21,6 @@ namespace drystone
 namespace
 {
 
-/// Radians or block sizes that are no motion but a mistake in writing.
-constexpr double mostInAStep = 1e9;
-
 template<int Dim>
 bool isDisplaced(const Placement<Dim>& placement)
 {

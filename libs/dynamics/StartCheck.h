@@ -10,6 +10,9 @@
 namespace drystone
 {
 
+/// Radians or block sizes in a step that are no motion but a mistake in writing.
+inline constexpr double mostInAStep = 1e9;
+
 /// Refuses a start inside another block: motion has no answer to it, and would part the blocks or let them
 /// fall through each other. Blocks may be 1e-6 of the mean block size in each other, and as deep as they were
 /// built. Elastic joints press out of each other what is deeper, from their settlement under loads, say: up

@@ -28,7 +28,8 @@ enum class StepFault
     none,
     turnsTooFar,   ///< contact turns a block by more than a radian
     entersTooDeep, ///< blocks end in each other
-    createsEnergy  ///< contact does work on the blocks
+    createsEnergy, ///< contact does work on the blocks
+    movesTooFar    ///< loads, supports or velocities move blocks so far that nothing can be computed
 };
 
 /// How hard the solver worked on a step, and how well the step is solved.

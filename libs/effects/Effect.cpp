@@ -38,6 +38,7 @@ EffectTraits traitsOf(const Effects<Dim>& effects)
         all.movesSupports = all.movesSupports || own.movesSupports;
         all.isIdleAtRest = all.isIdleAtRest && own.isIdleAtRest;
         all.stiffness += own.stiffness;
+        all.damping += own.damping;
     }
     return all;
 }

@@ -94,6 +94,7 @@ struct EffectTraits
     /// into the program, which is the same in each such step. Said by each effect, with the reason.
     bool isIdleAtRest = false;
     double stiffness = 0; ///< of compliant contact points against pressing [N/m]
+    double damping = 0;   ///< force over momentum of each block, as part of the program's inertia [1/s]
 };
 
 /// Numbers under names, as a state keeps them.

@@ -40,7 +40,10 @@ public:
     /// \param damping with its massProportional, whether given or equivalent
     explicit MassDamping(const Damping& damping) : settings(damping) {}
     /// Idle at rest: its force is proportional to the velocity.
-    EffectTraits traits() const override { return {.actsOnBlocks = true, .isIdleAtRest = true}; }
+    EffectTraits traits() const override
+    {
+        return {.actsOnBlocks = true, .isIdleAtRest = true, .damping = settings.massProportional};
+    }
     void contribute(const EffectContext<Dim>& context, EffectState& state,
                     StepProgram<Dim>& program) const override;
     void account(const EffectContext<Dim>& context, const EffectSolution& solution,

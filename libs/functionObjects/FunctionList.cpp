@@ -29,7 +29,8 @@ bool isTimeReached(const std::vector<double>& times, double written, const TimeP
 template<int Dim>
 bool isWithin(const FunctionPlan<Dim>& plan, const TimePoint& now)
 {
-    const double small = 1e-9 * now.deltaT; // the end of a step may miss the limit by rounding
+    const double small =
+        sameInstant(now.value, now.deltaT); // the end of a step may miss the limit by rounding
     return !(plan.timeStart && now.value < *plan.timeStart - small)
            && !(plan.timeEnd && now.value > *plan.timeEnd + small);
 }
@@ -145,7 +146,7 @@ double FunctionList<Dim>::timeToNextWrite(double time, double deltaT) const
             next = std::min(next, function.control.timeToNextWrite(time, deltaT));
             continue;
         }
-        const auto coming = std::upper_bound(times.begin(), times.end(), time + 1e-9 * deltaT);
+        const auto coming = std::upper_bound(times.begin(), times.end(), time + sameInstant(time, deltaT));
         next = coming == times.end() ? next : std::min(next, *coming - time);
     }
     return next;

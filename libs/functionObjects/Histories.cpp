@@ -35,6 +35,33 @@ std::string quantityOf(const std::string& unit)
     return fmt::format("[{}]", unit);
 }
 
+/// All rows; or where they are more than `most` the first and the last, and of each few in a row those with
+/// the least and the largest value: what lasts a single step, as the force of an impact, is drawn.
+std::vector<std::size_t> rowsToDraw(const std::vector<double>& values, std::size_t most)
+{
+    const std::size_t few = values.size() > most ? 2 * values.size() / most + 1 : 1;
+    std::vector<std::size_t> rows;
+    for (std::size_t row = 0; row < values.size(); row += few)
+    {
+        const auto begin = values.begin() + static_cast<std::ptrdiff_t>(row);
+        const auto end = values.begin() + static_cast<std::ptrdiff_t>(std::min(row + few, values.size()));
+        const auto [least, largest] = std::minmax_element(begin, end);
+        std::vector<std::size_t> drawn{static_cast<std::size_t>(least - values.begin()),
+                                       static_cast<std::size_t>(largest - values.begin())};
+        if (row == 0)
+        {
+            drawn.push_back(0);
+        }
+        if (end == values.end())
+        {
+            drawn.push_back(values.size() - 1);
+        }
+        std::sort(drawn.begin(), drawn.end());
+        rows.insert(rows.end(), drawn.begin(), std::unique(drawn.begin(), drawn.end()));
+    }
+    return rows;
+}
+
 } // namespace
 
 NumberTable readNumberTable(const std::filesystem::path& file)
@@ -133,7 +160,6 @@ std::vector<std::pair<std::string, Plot>> historyPlots(const NumberTable& table,
     {
         return plots;
     }
-    const std::size_t stride = times.size() / mostPoints + 1;
     std::vector<std::string> drawn;
     for (std::size_t first = 1; first < table.names.size(); ++first)
     {
@@ -161,7 +187,7 @@ std::vector<std::pair<std::string, Plot>> historyPlots(const NumberTable& table,
             PlotCurve curve;
             curve.name = table.names[column];
             curve.marker = CurveMarker::none;
-            for (std::size_t row = 0; row < times.size(); row += stride)
+            for (const std::size_t row : rowsToDraw(values, mostPoints))
             {
                 curve.x.push_back(times[row]);
                 curve.y.push_back(values[row]);

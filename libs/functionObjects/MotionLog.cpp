@@ -7,6 +7,7 @@
 #include "core/Log.h"
 #include "dynamics/EffectCalls.h"
 #include "dynamics/HeldBlocks.h"
+#include "dynamics/StartCheck.h"
 #include "dynamics/Step.h"
 #include "dynamics/StickingStep.h"
 #include "geometry/space/PolyhedronOverlap.h"
@@ -390,6 +391,7 @@ std::string textOf(StepFault fault)
         return "blocks ended in each other";
     case StepFault::createsEnergy:
         return "contact did work on the blocks";
+    case StepFault::movesTooFar:
     case StepFault::none:
         break;
     }
@@ -404,6 +406,15 @@ std::string unsolvedStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motio
     if (motion.work.isUsedUp())
     {
         return stepWithoutEnd(scene, motion, time);
+    }
+    if (motion.attempt.fault == StepFault::movesTooFar)
+    {
+        return fmt::format(
+            "In the step at time {} velocities, loads or the motions of ground and supports move a block by "
+            "more than {:g} block sizes or radians, also when it is made shorter {} times: nothing of that "
+            "could be computed. The state at its start has been written. Correct the sizes of gravity, "
+            "density, loads and the motions of ground and supports.",
+            time.name(), mostInAStep, motion.attempt.retries);
     }
     if (motion.attempt.fault != StepFault::none)
     {

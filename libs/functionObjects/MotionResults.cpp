@@ -228,13 +228,9 @@ typename MotionResults<Dim>::Frames MotionResults<Dim>::framesNow() const
 {
     std::vector<double> velocities;
     std::vector<double> angular;
-    for (const int free : scene.free)
+    const double now = motion.state.time;
+    for (const BlockVector<Dim>& velocity : velocitiesOfAllBlocks(scene, motion.state, now, now))
     {
-        BlockVector<Dim> velocity = BlockVector<Dim>::Zero();
-        if (free >= 0)
-        {
-            velocity = motion.state.velocity.template segment<freedomCount<Dim>>(freedomCount<Dim> * free);
-        }
         velocities.insert(velocities.end(), velocity.begin(), velocity.begin() + Dim);
         angular.insert(angular.end(), velocity.begin() + Dim, velocity.end());
     }

@@ -15,11 +15,19 @@ namespace
 
 constexpr double nearestStep = 0.5;
 
+/// What rounding may add up to, as part of a time.
+constexpr double ofValue = 1e-13;
+
 } // namespace
 
 double reachOf(const TimePoint& now)
 {
-    return now.endsOnInstants ? 1e-6 * now.deltaT + 1e-13 * std::abs(now.value) : nearestStep * now.deltaT;
+    return now.endsOnInstants ? 1e-6 * now.deltaT + ofValue * std::abs(now.value) : nearestStep * now.deltaT;
+}
+
+double sameInstant(double value, double deltaT)
+{
+    return 1e-9 * deltaT + ofValue * std::abs(value);
 }
 
 void declare(Options& options, OutputSettings& settings)
@@ -86,7 +94,7 @@ double OutputControl::timeToNextWrite(double value, double deltaT) const
     {
         return std::numeric_limits<double>::infinity();
     }
-    const double count = std::floor((value - start + 1e-9 * deltaT) / settings.writeInterval);
+    const double count = std::floor((value - start + sameInstant(value, deltaT)) / settings.writeInterval);
     return (count + 1) * settings.writeInterval - (value - start);
 }
 

@@ -66,6 +66,9 @@ struct TimePoint
 /// else half a step, so that a write is at the nearest one.
 double reachOf(const TimePoint& now);
 
+/// Within how much of each other two instants are one: that of rounding [s]. \param deltaT of a step there
+double sameInstant(double value, double deltaT);
+
 /// Tells whether a moment is one to write at. To be asked once a step, in order.
 class OutputControl
 {

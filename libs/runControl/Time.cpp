@@ -57,7 +57,7 @@ Time::Time(const fs::path& caseDirectory, ControlDict presence, RunsOfCase runs)
     {
         throw FatalIOError(endsBeforeStart, dictionary.locationOf("endTime"));
     }
-    now = origin = beginning = begin;
+    now = origin = beginning = detourEnd = begin;
     step = settings.deltaT;
     namePrecision = settings.timePrecision;
     startOutput();
@@ -295,7 +295,7 @@ double Time::fittingStep(double length) const
     {
         remaining = std::min(remaining, timeToOtherInstant(now, length));
     }
-    if (settings.stopAt == StopAt::endTime && settings.endTime > now)
+    if (settings.stopAt == StopAt::endTime && settings.endTime > now + sameInstant(now, length))
     {
         remaining = std::min(remaining, settings.endTime - now);
     }

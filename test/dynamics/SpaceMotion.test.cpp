@@ -5,6 +5,7 @@
 
 #include "contact/Penetration.h"
 #include "core/Error.h"
+#include "effects/MassDamping.h"
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -183,6 +184,50 @@ TEST(SpaceMotion, AFreeBrickTurnsOverAboutItsMiddleAxisAndKeepsEnergyAndMomentum
         EXPECT_LT((flying.velocity - coarse.velocity).norm(), 1e-8);
         EXPECT_LT((likeExact(flying.quaternion) - likeExact(coarse.quaternion)).norm(), 1e-8);
     }
+}
+
+// As of a number with too many digits in constant/g, or of the centre of a support: contact points were
+// looked for where there is nothing, and the program ended.
+TEST(SpaceMotion, AStepThatMovesBlocksBeyondNumbersIsNotTaken)
+{
+    for (const double gravity : {1e30, 1e160, 1e300})
+    {
+        const DynamicCase<3> scene = sceneOf(boxOnGround({1, 1, 1}, 0), 1, 0.5, {0, 0, -gravity});
+        Motion<3> motion = startMotion(scene, stateAtRest(scene.assembly));
+        EXPECT_FALSE(advance(scene, motion, 0.01)) << gravity;
+        EXPECT_EQ(motion.attempt.fault, StepFault::movesTooFar) << gravity;
+        EXPECT_TRUE(motion.state.velocity.isZero(0));
+    }
+}
+
+// No moment acts on a free brick but that of damping, along its momentum: however it turns, that keeps its
+// direction and decays as exp(-a t).
+TEST(SpaceMotion, TheMomentumOfADampedBrickThatTurnsDecaysWithoutTurning)
+{
+    constexpr double damping = 3;
+    constexpr double end = 0.5;
+    const auto errorOf = [](double theta, double timeStep)
+    {
+        DynamicCase<3> scene = sceneOf(freeBox({0.5, 0.3, 0.2}), theta, 0, {0, 0, 0});
+        scene.effects.push_back(std::make_shared<MassDamping<3>>(Damping{damping, {}}));
+        DynamicState<3> start = stateAtRest(scene.assembly);
+        start.velocity.tail<3>() << 2, 6, 3;
+        Motion<3> motion = startMotion(scene, std::move(start));
+        const Vector<3> momentum = angularMomentum(scene, motion);
+        const double energy = motion.energy.kinetic;
+        const int steps = static_cast<int>(std::lround(end / timeStep));
+        for (int step = 0; step < steps; ++step)
+        {
+            EXPECT_TRUE(advance(scene, motion, timeStep));
+        }
+        EXPECT_NEAR(imbalance(motion.energy), 0, 1e-10 * energy);
+        const double decay = theta == 1 ? std::pow(1 + damping * timeStep, -steps) : std::exp(-damping * end);
+        return (angularMomentum(scene, motion) - decay * momentum).norm() / momentum.norm();
+    };
+    EXPECT_LT(errorOf(1, 4e-3), 1e-10); // as theta 1 has the decay
+    const double coarse = errorOf(0.5, 4e-3);
+    EXPECT_LT(coarse, 1e-4);
+    EXPECT_NEAR(coarse / errorOf(0.5, 2e-3), 4, 0.2); // of second order
 }
 
 // The axis of a free square prism goes round the momentum at L/J (J across the axis), on a cone.

@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <unistd.h>
@@ -118,6 +119,33 @@ TEST_F(Histories, DrawsColumnsOfOneUnitTogetherAndThoseThatAreZeroNot)
     EXPECT_THAT(plots[0].second.curves[1].y, ElementsAre(0, 3, 3));
     ASSERT_EQ(plots[1].second.curves.size(), 1U);
     EXPECT_TRUE(historyPlots(tableOf("# alpha[-] x[m]\n1 2\n2 3\n"), "").empty()); // not over time
+}
+
+// Each fifth of 10,000 rows was drawn, and the force of an impact was in none.
+TEST_F(Histories, DrawsWhatLastsASingleStepOfMany)
+{
+    constexpr std::size_t rows = 10000;
+    NumberTable table{
+        {"Time", "force"}, {"s", "N"}, {std::vector<double>(rows), std::vector<double>(rows, 1)}};
+    for (std::size_t row = 0; row < rows; ++row)
+    {
+        table.columns[0][row] = 0.001 * static_cast<double>(row);
+    }
+    table.columns[1][5003] = 70;
+    table.columns[1][7001] = -70;
+    const auto plots = historyPlots(table, "");
+    ASSERT_EQ(plots.size(), 1U);
+    const PlotCurve& curve = plots[0].second.curves[0];
+    EXPECT_LE(curve.y.size(), 2002U);
+    EXPECT_TRUE(std::is_sorted(curve.x.begin(), curve.x.end()));
+    EXPECT_EQ(curve.x.front(), table.columns[0].front());
+    EXPECT_EQ(curve.x.back(), table.columns[0].back());
+    EXPECT_DOUBLE_EQ(
+        curve.x[static_cast<std::size_t>(std::max_element(curve.y.begin(), curve.y.end()) - curve.y.begin())],
+        5.003);
+    EXPECT_DOUBLE_EQ(
+        curve.x[static_cast<std::size_t>(std::min_element(curve.y.begin(), curve.y.end()) - curve.y.begin())],
+        7.001);
 }
 
 TEST(ViewerData, HoldsBlocksAndFrames)

@@ -231,6 +231,13 @@ TEST_F(TimeCase, StartsWhereItIsTold)
     EXPECT_EQ(Time(directory, ControlDict::required).startName(), "0.5");
 }
 
+TEST_F(TimeCase, BeginsBeforeTimeZero)
+{
+    control("startFrom startTime; startTime -0.2; endTime 0.1; deltaT 0.1; writeInterval 1;");
+    Time time(directory, ControlDict::required);
+    EXPECT_THAT(writeTimes(time), ElementsAre("-0.1", "0", "0.1"));
+}
+
 // A run that tells its steps apart with more digits than timePrecision leaves such directories.
 TEST_F(TimeCase, StartsFromADirectoryWithMoreDigitsThanTimePrecision)
 {
@@ -514,6 +521,33 @@ TEST_F(TimeCase, EndsAdjustedStepsWhereOthersAskAndAtTheEndTime)
         EXPECT_THAT(times, testing::Contains(testing::DoubleNear(0.07 * i, 1e-14)));
     }
     EXPECT_NEAR(times.back(), 0.5, 1e-15);
+}
+
+// Rounding of such times is more than a billionth of the step: steps as short as that followed each write.
+TEST_F(TimeCase, EndsAdjustedStepsOnWriteTimesOnceHoweverLateTheyAre)
+{
+    control("deltaT 0.003; startTime 1e6; endTime 1000000.3; startFrom startTime; adjustTimeStep on; "
+            "writeControl adjustableRunTime; writeInterval 0.03;");
+    Time time(directory, ControlDict::required);
+    const std::vector<double> others{1000000.0501, 1000000.1};
+    time.stopAlsoAt(
+        [&](double value, double deltaT)
+        {
+            const auto next =
+                std::upper_bound(others.begin(), others.end(), value + sameInstant(value, deltaT));
+            return next == others.end() ? std::numeric_limits<double>::infinity() : *next - value;
+        });
+    int written = 0;
+    double before = time.value();
+    while (time.loop())
+    {
+        EXPECT_GT(time.value() - before, 1e-4);
+        before = time.value();
+        written += time.isWriteTime() ? 1 : 0;
+        time.setDeltaT(0.02);
+    }
+    EXPECT_EQ(written, 10);
+    EXPECT_NEAR(before, 1000000.3, 1e-9);
 }
 
 TEST_F(TimeCase, EndsAdjustedStepsOnChangesOrOnWriteTimesBesideThem)

@@ -209,6 +209,17 @@ class RunControl(CaseTest):
         velocities = re.search(r"velocity \d+\n\((.*?)\)", state, re.S)[1].split()
         self.assertTrue(any(velocities[3 * i:3 * i + 3] == ["0", "0", "0"] for i in range(3)), velocities)
 
+    def testFramesHaveTheVelocityOfASupportThatMoves(self):
+        """A frictionless ground goes away at 2 m/s under blocks that stay."""
+        case = self.copy("supportFrame", endTime="0.2")
+        self.write(case, "constant/contactProperties", header % "contactProperties")
+        self.write(case, "constant/supportMotion", header % "supportMotion" +
+                   "ground { direction (1 0); velocity ((0 2) (1 2)); }\n")
+        os.remove(os.path.join(case, "constant/groundMotion"))
+        self.run_(case)
+        frame = self.read(case, "VTK/blocks_000001.vtp")
+        self.assertRegex(frame, r'Name="velocity\[m/s\]"[^>]* RangeMin="0" RangeMax="2"')
+
     def testCtrlCWritesTheStateAndTheRunGoesOnFromIt(self):
         once = self.copy("long", endTime="4", deltaT="0.0005", writeInterval="4")
         self.run_(once)

@@ -42,15 +42,16 @@ double turnMomenta(const Step<3>& step, const Eigen::VectorXd& displacement,
 {
     const Eigen::VectorXd byContacts = applyEquilibrium(program, contactForce);
     const double timeStep = step.scheme.timeStep;
+    const double damping = traitsOf(step.scene.effects).damping / timeStep;
     double error = 0;
     for (int body = 0; body < program.bodies; ++body)
     {
         const Eigen::Index row = 6 * body + 3;
         const Eigen::Matrix3d& tensor = step.mass.tensors[static_cast<std::size_t>(body)];
+        const Vector<3> turn = displacement.segment<3>(row);
         Vector<3> momentum; // R1 J W1, from the moments, or from r = dt R0 W1 with theta 1
         if (!step.isShared.empty() && step.isShared[static_cast<std::size_t>(body)])
         {
-            const Vector<3> turn = displacement.segment<3>(row);
             momentum = turned(turn, Vector<3>(tensor * turn / timeStep));
         }
         else
@@ -58,8 +59,11 @@ double turnMomenta(const Step<3>& step, const Eigen::VectorXd& displacement,
             const Vector<3> moment = step.load.segment<3>(row) - byContacts.segment<3>(row);
             momentum = tensor * step.solved.velocity.segment<3>(row) + timeStep * moment;
         }
-        const Vector<3> load = step.program.load.segment<3>(row)
-                               + swing(Vector<3>(-displacement.segment<3>(row)), momentum) / timeStep;
+        Vector<3> load = step.program.load.segment<3>(row) + swing(Vector<3>(-turn), momentum) / timeStep;
+        if (damping > 0 && step.scheme.theta < 1)
+        {
+            load -= swing(Vector<3>((step.scheme.theta - 1) * turn), Vector<3>(damping * (tensor * turn)));
+        }
         BlockVector<3> change = BlockVector<3>::Zero();
         change.tail<3>() = load - program.load.segment<3>(row);
         const BlockVector<3> moved = solveBlock(program.inertia[static_cast<std::size_t>(body)], change);
