@@ -310,9 +310,14 @@ void failSelection(const Dictionary& dictionary, const std::string& family,
     {
         std::vector<std::string> sorted = words;
         std::sort(sorted.begin(), sorted.end());
-        throw FatalIOError(fmt::format("The entry type is missing: it chooses the {}.\n\nValid {} types: {}",
-                                       family, family, fmt::join(sorted, " ")),
-                           dictionary.location());
+        const Entry* misspelt = dictionary.findExact(nearestWord("type", dictionary.keywords()));
+        throw FatalIOError(
+            fmt::format("The entry type is missing: it chooses the {}.{}\n\nValid {} types: {}", family,
+                        misspelt ? fmt::format(" Did you mean type with {} at line {}?", misspelt->keyword(),
+                                               misspelt->location().line)
+                                 : "",
+                        family, fmt::join(sorted, " ")),
+            dictionary.location());
     }
     throw FatalIOError(unknownWordMessage(family + " type", type->as<std::string>(), words),
                        type->tokens().empty() ? type->location() : type->locationOf(type->tokens().front()));
