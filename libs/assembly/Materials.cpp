@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace drystone
 {
@@ -42,6 +43,12 @@ std::string doubtAbout(const Gravity<Dim>& gravity)
     if (Dim == 3 && g[1] != 0 && g[0] == 0 && g[2] == 0)
     {
         return fmt::format("Gravity {} [m/s2] is horizontal: in space z is up. Usual is {}.",
+                           asWritten<Dim>(g), usual);
+    }
+    if (Dim == 2 && std::abs(g[0]) > std::abs(g[Dim - 1]))
+    {
+        return fmt::format("Gravity {} [m/s2] points to the side more than down: was a component left out? "
+                           "Usual is {}. It is used as it stands.",
                            asWritten<Dim>(g), usual);
     }
     if (const double size = g.norm(); size > 0 && (size < weakestGravity || size > strongestGravity))

@@ -5,10 +5,31 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+#include <map>
+
 namespace drystone
 {
 namespace
 {
+
+/// Whether a token stands in its file as it is, and is not of a macro, which others may override.
+bool isWritten(const Token& token)
+{
+    const std::less<> isBefore; // of any pointers, those of another text included
+    return token.file && !isBefore(token.text.data(), token.file->text.data())
+           && isBefore(token.text.data(), token.file->text.data() + token.file->text.size());
+}
+
+/// As of entries outside of lists, where input modes may ask for it.
+void warnOfRepetition(const Token& earlier, const Token& key, bool isDictionary,
+                      const SourceLocation& location)
+{
+    printWarningOnce(fmt::format("{} is given twice, first at line {}; {}. Remove one of them.", key.text,
+                                 earlier.line,
+                                 isDictionary ? "what both have is taken together" : "the last one counts"),
+                     location);
+}
 
 Dictionary readBraced(TokenCursor& cursor, const std::shared_ptr<SourceText>& source, SourceLocation location,
                       int depth)
@@ -18,6 +39,7 @@ Dictionary readBraced(TokenCursor& cursor, const std::shared_ptr<SourceText>& so
         cursor.fail(fmt::format("Dictionaries are nested more than {} deep.", deepestNesting));
     }
     Dictionary dictionary(location);
+    std::map<std::string_view, const Token*> first; // of each key that is written between these brackets
     cursor.expect('{', "a dictionary `{ ... }`");
     while (!cursor.isNext('}'))
     {
@@ -34,6 +56,14 @@ Dictionary readBraced(TokenCursor& cursor, const std::shared_ptr<SourceText>& so
         const Token& key = cursor.take();
         const SourceLocation entryLocation{key.file->name, joined(location.entry, std::string(key.text)),
                                            key.line};
+        if (isWritten(key))
+        {
+            const auto [earlier, isFirst] = first.try_emplace(key.text, &key);
+            if (!isFirst)
+            {
+                warnOfRepetition(*earlier->second, key, cursor.isNext('{'), entryLocation);
+            }
+        }
         if (cursor.isNext('{'))
         {
             Entry entry(std::string(key.text), readBraced(cursor, source, entryLocation, depth + 1),

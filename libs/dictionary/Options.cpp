@@ -310,21 +310,14 @@ void failSelection(const Dictionary& dictionary, const std::string& family,
     {
         std::vector<std::string> sorted = words;
         std::sort(sorted.begin(), sorted.end());
-        for (const Entry& entry : dictionary.entries())
-        {
-            // Its value tells a mistyped `type` from a key of one of the types.
-            if (!entry.isDictionary() && nearestWord(entry.keyword(), {"type"}) == "type"
-                && std::find(sorted.begin(), sorted.end(), entry.valueText()) != sorted.end())
-            {
-                throw FatalIOError(
-                    fmt::format("Unknown key {}. Did you mean type? It chooses the {}.\n\nValid {} types: {}",
-                                entry.keyword(), family, family, fmt::join(sorted, " ")),
-                    entry.location());
-            }
-        }
-        throw FatalIOError(fmt::format("The entry type is missing: it chooses the {}.\n\nValid {} types: {}",
-                                       family, family, fmt::join(sorted, " ")),
-                           dictionary.location());
+        const Entry* misspelt = dictionary.findExact(nearestWord("type", dictionary.keywords()));
+        throw FatalIOError(
+            fmt::format("The entry type is missing: it chooses the {}.{}\n\nValid {} types: {}", family,
+                        misspelt ? fmt::format(" Did you mean type with {} at line {}?", misspelt->keyword(),
+                                               misspelt->location().line)
+                                 : "",
+                        family, fmt::join(sorted, " ")),
+            dictionary.location());
     }
     throw FatalIOError(unknownWordMessage(family + " type", type->as<std::string>(), words),
                        type->tokens().empty() ? type->location() : type->locationOf(type->tokens().front()));

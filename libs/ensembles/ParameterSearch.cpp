@@ -68,6 +68,7 @@ struct Problem
     /// Points that the stage may look at, and has: some algorithms go on beyond what they are given.
     int mostPoints = std::numeric_limits<int>::max();
     int points = 0;
+    int requests = 0;     ///< of the stage, for the objective and constraints
     int calls = 0;        ///< of the stage for the objective, all within the bounds
     int beyondBounds = 0; ///< points outside the bounds that the stage has spent evaluations on
     std::vector<double> lastPoint = {};
@@ -86,9 +87,10 @@ struct Problem
         return variables;
     }
 
+    /// At the second request at the earliest: stopped at the first, NLopt's DIRECT reads what it has not set.
     void stop() const
     {
-        if (optimiser)
+        if (optimiser && requests > 1)
         {
             nlopt_force_stop(optimiser);
         }
@@ -96,8 +98,10 @@ struct Problem
 
     std::optional<Evaluation> at(const double* scaled)
     {
+        ++requests;
         if (isInterrupted || error || isExhausted())
         {
+            stop();
             return {}; // some algorithms request further points for a while
         }
         std::vector<double> point(scaled, scaled + settings.variables.size());
@@ -298,6 +302,7 @@ SearchEnd endOf(nlopt_result result, bool isAstray)
 SearchEnd carryOut(const SearchStage& stage, Problem& problem, std::vector<double> scaled)
 {
     problem.points = 0;
+    problem.requests = 0;
     problem.calls = 0;
     problem.beyondBounds = 0;
     problem.mostPoints = stage.maximumEvaluations;

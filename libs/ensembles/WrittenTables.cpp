@@ -43,6 +43,25 @@ std::optional<std::pair<fs::path, fs::path>> placeOf(const fs::path& table, cons
     return std::nullopt;
 }
 
+/// Refuses a table that is in no folder of results and that the case does not have.
+void requireResults(const TableFigure& figure, const fs::path& caseDirectory, const StudyRuns& runs,
+                    const Dictionary& result)
+{
+    std::error_code ignored;
+    if (fs::exists(caseDirectory / figure.table, ignored))
+    {
+        return;
+    }
+    std::vector<std::string> folders;
+    for (const std::string& directory : runs.cases)
+    {
+        folders.push_back((fs::path(directory) / "postProcessing").lexically_normal().string());
+    }
+    throw FatalIOError(fmt::format("No application writes the table {}: their tables are in {}.",
+                                   figure.table, fmt::join(folders, ", ")),
+                       result.locationOf("table"));
+}
+
 /// Refuses a table that limitAnalysis does not write, and a column that its main one does not have.
 void requireTableOfCollapse(const TableFigure& figure, const fs::path& table, const Dictionary& result)
 {
@@ -51,8 +70,14 @@ void requireTableOfCollapse(const TableFigure& figure, const fs::path& table, co
     const std::string name = table.stem().string();
     const bool isOurs = std::any_of(written.begin(), written.end(),
                                     [&](const std::string& one) { return name.starts_with(one); });
-    if (table.parent_path() == fs::path(limitAnalysisTableName).parent_path()
-        && !(isOurs && table.extension() == ".dat"))
+    const fs::path folder = fs::path(limitAnalysisTableName).parent_path();
+    if (table.parent_path() != folder && *std::next(table.begin()) == *std::next(folder.begin()))
+    {
+        throw FatalIOError(fmt::format("limitAnalysis writes its tables into {}, and not into {}.",
+                                       folder.string(), table.parent_path().string()),
+                           result.locationOf("table"));
+    }
+    if (table.parent_path() == folder && !(isOurs && table.extension() == ".dat"))
     {
         throw FatalIOError(unknownWordMessage("limitAnalysis table", name, written),
                            result.locationOf("table"));
@@ -97,9 +122,14 @@ void requireFunction(const fs::path& caseDirectory, const std::string& name, con
 void requireTable(const TableFigure& figure, const fs::path& caseDirectory, const StudyRuns& runs,
                   const Dictionary& result)
 {
-    const auto place = placeOf(figure.table, runs);
-    if (!place || hasScript(runs))
+    if (hasScript(runs))
     {
+        return;
+    }
+    const auto place = placeOf(figure.table, runs);
+    if (!place)
+    {
+        requireResults(figure, caseDirectory, runs, result);
         return;
     }
     const auto& [directory, table] = *place;
@@ -108,7 +138,8 @@ void requireTable(const TableFigure& figure, const fs::path& caseDirectory, cons
         requireTableOfCollapse(figure, table, result);
     }
     const std::string writer = std::next(table.begin())->string();
-    if (runsApplication(runs, "contactDynamics") && !runsApplication(runs, writer))
+    // contactDynamics says in `effects`, without a function, which effects were simulated.
+    if (runsApplication(runs, "contactDynamics") && !runsApplication(runs, writer) && writer != "effects")
     {
         requireFunction(caseDirectory / directory, writer, result);
     }

@@ -446,6 +446,10 @@ DxfFile readDxfFile(const ImportedFile& file)
     {
         refuse(file, 0, "This DXF file is in binary form: save it in text form (ASCII DXF).");
     }
+    if (file.bytes.starts_with("AC10")) // AC1006 of release 10 to AC1032 of 2018
+    {
+        refuse(file, 0, "This is a DWG file, whatever its name: save it as DXF in text form (ASCII DXF).");
+    }
     return DxfReader(file).read();
 }
 

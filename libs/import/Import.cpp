@@ -4,6 +4,7 @@
 
 #include "core/ByteOrderMark.h"
 #include "core/Log.h"
+#include "core/NamedFile.h"
 
 #include <fmt/format.h>
 
@@ -67,6 +68,19 @@ bool isDrawing(ImportFormat format)
     return format == ImportFormat::dxf || format == ImportFormat::svg;
 }
 
+/// Refuses a text in UTF-16, of which every other byte is 0: the readers would find none of their words.
+/// Those of SVG know it; PLY and STL have bytes of their own.
+void refuseWideText(const ImportedFile& file, ImportFormat format)
+{
+    const bool isText =
+        format == ImportFormat::obj || format == ImportFormat::dxf || format == ImportFormat::compasJson;
+    const std::string_view start = std::string_view(file.bytes).substr(0, 2);
+    if (isText && (start == "\xFF\xFE" || start == "\xFE\xFF" || start.find('\0') != std::string_view::npos))
+    {
+        refuse(file, 1, "The text is in UTF-16, which Windows calls Unicode: save it in UTF-8.");
+    }
+}
+
 /// The file and its format. \throws FatalIOError when it is of the other dimension
 template<int Dim>
 std::pair<ImportedFile, ImportFormat> open(const Import<Dim>& settings, const fs::path& caseDirectory,
@@ -86,15 +100,9 @@ std::pair<ImportedFile, ImportFormat> open(const Import<Dim>& settings, const fs
                          nameOf(format)),
             place);
     }
-    std::error_code ignored;
-    if (!fs::exists(file, ignored))
-    {
-        throw FatalIOError(
-            fmt::format("There is no file {}.\n\nCheck the name: it is relative to the case directory.",
-                        file.lexically_normal().string()),
-            place);
-    }
+    requireFile(file, place);
     ImportedFile source = readSource(file);
+    refuseWideText(source, format);
     // The header of a binary STL may begin with any bytes.
     const std::string_view text = withoutByteOrderMark(source.bytes);
     if (format != ImportFormat::stl || text.starts_with("solid"))

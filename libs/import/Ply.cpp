@@ -105,6 +105,23 @@ public:
         }
         return value;
     }
+    /// \throws FatalIOError when there are more
+    void requireEnd()
+    {
+        std::string_view word = nextWord(rest);
+        while (word.empty() && lines.next(rest))
+        {
+            word = nextWord(rest);
+        }
+        if (!word.empty())
+        {
+            refuse(
+                file, line(),
+                fmt::format("{} stands behind the last element that the header counts: correct its counts, "
+                            "or write the file anew.",
+                            shown(word)));
+        }
+    }
     int line() const { return before + lines.number(); }
     double rounding(double) const { return digits.unit(); }
 
@@ -158,6 +175,19 @@ public:
             return finite(bytes.take<float>());
         default:
             return finite(bytes.take<double>());
+        }
+    }
+    /// \throws FatalIOError when there are more; ends of lines and zeros are none
+    void requireEnd()
+    {
+        const std::string_view rest = std::string_view(file.bytes).substr(bytes.place());
+        if (const std::size_t next = rest.find_first_not_of(std::string_view("\r\n \0", 4));
+            next != std::string_view::npos)
+        {
+            refuse(file, 0,
+                   fmt::format("{} bytes stand behind the last element that the header counts: correct its "
+                               "counts, or write the file anew.",
+                               rest.size()));
         }
     }
     int line() const { return 0; }
@@ -392,6 +422,7 @@ Solids readData(const ImportedFile& file, const Header& header)
             }
         }
     }
+    source.requireEnd();
     refuseUnknownVertices(solid, file);
     if (solid.faces.empty())
     {

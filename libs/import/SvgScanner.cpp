@@ -56,7 +56,9 @@ double SvgScanner::number(DigitCount* digits)
     const std::string_view word = rest.substr(0, end);
     if (word.empty())
     {
-        refuse(file, line, fmt::format("A number is expected at `{}`.", shown(rest)));
+        refuse(file, line,
+               rest.empty() ? "A number is expected at the end: a coordinate is missing."
+                            : fmt::format("A number is expected at `{}`.", shown(rest)));
     }
     const double value = numberOf(file, line, word);
     if (digits != nullptr)

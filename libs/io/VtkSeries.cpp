@@ -58,6 +58,13 @@ Series readSeries(const std::filesystem::path& folder, const std::string& name)
 {
     const std::filesystem::path listFile = folder / (name + ".vtp.series");
     Series listed;
+    std::error_code error;
+    if (std::filesystem::exists(listFile, error) && !std::filesystem::is_regular_file(listFile, error))
+    {
+        throw FatalIOError(
+            "This is no file, and the list of frames and their times is wanted here. Remove it.",
+            {listFile.string(), "", 0});
+    }
     std::ifstream list(listFile, std::ios::binary);
     if (!list.is_open())
     {

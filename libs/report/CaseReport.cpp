@@ -219,14 +219,29 @@ bool hasNoNumber(const NumberTable& multipliers)
     return false;
 }
 
+/// What is wrong with a table of multipliers as one of this case; empty: nothing.
+std::string faultOfMultipliers(const NumberTable& found, std::size_t freeBlocks)
+{
+    if (found.columns.size() < 10 || found.columns.front().empty() || hasNoNumber(found))
+    {
+        return "holds no multiplier: it is damaged";
+    }
+    const auto blocks = std::find(found.names.begin(), found.names.end(), "blocks");
+    const double counted = blocks == found.names.end()
+                               ? static_cast<double>(freeBlocks)
+                               : found.columns[static_cast<std::size_t>(blocks - found.names.begin())].back();
+    return counted == static_cast<double>(freeBlocks)
+               ? ""
+               : fmt::format("is of {:g} free blocks, and this case has {}", counted, freeBlocks);
+}
+
 /// What cannot be read of the results, a text each.
-std::vector<std::string> damagedResults(const fs::path& caseDirectory)
+std::vector<std::string> damagedResults(const fs::path& caseDirectory, std::size_t freeBlocks)
 {
     std::vector<std::string> faults;
     std::error_code none;
     const fs::path multipliers = limitAnalysisTable(caseDirectory);
-    const NumberTable found = readNumberTable(multipliers);
-    const bool isAnswer = found.columns.size() >= 10 && !found.columns.front().empty();
+    const std::string fault = faultOfMultipliers(readNumberTable(multipliers), freeBlocks);
     const bool isOfMechanism =
         fs::exists(caseDirectory / "VTK/blocks.vtp.series", none) && !isOfMotion(caseDirectory);
     const bool isExpected = fs::exists(limitAnalysisInput(caseDirectory), none) || isOfMechanism;
@@ -235,10 +250,10 @@ std::vector<std::string> damagedResults(const fs::path& caseDirectory)
         faults.push_back(fmt::format("{} is missing, which has the multiplier. Run limitAnalysis again.",
                                      fs::relative(multipliers, caseDirectory).string()));
     }
-    else if (fs::exists(multipliers, none) && (!isAnswer || hasNoNumber(found)))
+    else if (fs::exists(multipliers, none) && !fault.empty())
     {
-        faults.push_back(fmt::format("{} holds no multiplier: it is damaged. Run limitAnalysis again.",
-                                     fs::relative(multipliers, caseDirectory).string()));
+        faults.push_back(fmt::format("{} {}. Run limitAnalysis again.",
+                                     fs::relative(multipliers, caseDirectory).string(), fault));
     }
     for (const fs::path& file : filesWithEnding(caseDirectory / "postProcessing", ".dat"))
     {
@@ -253,9 +268,9 @@ std::vector<std::string> damagedResults(const fs::path& caseDirectory)
 
 /// Says of a case of which nothing has an answer that there is none. \param isAnyOfStudies whether studies
 /// have
-void addDamage(HtmlPage& page, const fs::path& caseDirectory, bool isAnyOfStudies)
+void addDamage(HtmlPage& page, const fs::path& caseDirectory, std::size_t freeBlocks, bool isAnyOfStudies)
 {
-    std::vector<std::string> faults = damagedResults(caseDirectory);
+    std::vector<std::string> faults = damagedResults(caseDirectory, freeBlocks);
     std::error_code none;
     if (faults.empty() && !isAnyOfStudies && timesOfStates(caseDirectory).empty()
         && !fs::exists(limitAnalysisTable(caseDirectory), none))
@@ -414,7 +429,9 @@ std::string reportText(const fs::path& caseDirectory, std::vector<std::string> w
     const InputOfResults input = warnings.back().empty() ? InputOfResults::same : InputOfResults::other;
     warnings.push_back(compareMotion(caseDirectory, assembly, timesOfStates(caseDirectory)));
     addOldResults(page, warnings);
-    addDamage(page, caseDirectory, !sections.empty());
+    const auto freeBlocks = std::count_if(assembly.blocks.begin(), assembly.blocks.end(),
+                                          [](const Block<Dim>& block) { return block.support < 0; });
+    addDamage(page, caseDirectory, static_cast<std::size_t>(freeBlocks), !sections.empty());
     addStructure(page, caseDirectory, assembly);
     addCollapse<Dim>(page, caseDirectory, input);
     addMotion(page, caseDirectory, assembly);

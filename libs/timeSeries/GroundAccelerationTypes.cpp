@@ -3,6 +3,7 @@
 #include "timeSeries/GroundAccelerationTypes.h"
 
 #include "core/ByteOrderMark.h"
+#include "core/NamedFile.h"
 #include <fmt/format.h>
 
 #include <fstream>
@@ -214,21 +215,6 @@ DescribedAcceleration accelerationOfTable(const TableSettings& settings, const S
     return described;
 }
 
-/// Says where a file is named that does not exist. \param location of the entry with its name
-void requireFile(const std::string& name, const std::filesystem::path& caseDirectory,
-                 const SourceLocation& location)
-{
-    const std::filesystem::path file = inCase(name, caseDirectory);
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored))
-    {
-        throw FatalIOError(fmt::format("There is no file {}.\n\nCheck the name: it is relative to the case "
-                                       "directory.",
-                                       file.string()),
-                           location);
-    }
-}
-
 AccelerationMaker makeTable(const TableSettings& settings, const Dictionary& dictionary)
 {
     const SourceLocation location = dictionary.locationOf(settings.file.empty() ? "values" : "file");
@@ -241,7 +227,7 @@ AccelerationMaker makeTable(const TableSettings& settings, const Dictionary& dic
     {
         if (!settings.file.empty())
         {
-            requireFile(settings.file, caseDirectory, location);
+            requireFile(inCase(settings.file, caseDirectory), location);
         }
         return accelerationOfTable(settings, location, caseDirectory);
     };
@@ -251,7 +237,7 @@ AccelerationMaker makeRecord(const RecordMotion& settings, const Dictionary& dic
 {
     return [settings, location = dictionary.locationOf("file")](const std::filesystem::path& caseDirectory)
     {
-        requireFile(settings.file, caseDirectory, location);
+        requireFile(inCase(settings.file, caseDirectory), location);
         return recordedAcceleration(settings, caseDirectory);
     };
 }

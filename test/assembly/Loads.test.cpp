@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Load vectors against hand calculations.
+#include "assembly/Materials.h"
 #include "assembly/TurnedLoad.h"
 #include "core/Error.h"
 #include "core/WholeFile.h"
@@ -91,6 +92,25 @@ TEST(Loads, WithoutGravityAreQuestioned)
     const std::string ofRest = warnings({0, 0}, LiveLoad::required);
     EXPECT_THAT(ofRest, testing::HasSubstr("The dead load is zero on every block"));
     EXPECT_THAT(ofRest, testing::HasSubstr("loads/dead at line 1"));
+    std::filesystem::remove_all(directory);
+}
+
+TEST(Loads, GravityToTheSideIsQuestioned)
+{
+    const std::filesystem::path directory = std::filesystem::path(testing::TempDir()) / "gravityToTheSide";
+    std::filesystem::create_directories(directory / "constant");
+    const auto warnings = [&](const std::string& value)
+    {
+        writeWholeFile(directory / "constant/g", "value " + value + ";\n");
+        testing::internal::CaptureStderr();
+        readGravity<2>(directory);
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_EQ(warnings("(0 -9.81)"), "");
+    EXPECT_EQ(warnings("(-6.9 -7)"), "") << "a table that is tilted by less than 45 degrees";
+    const std::string without = warnings("(-9.81 0)"); // (0 -9.81 0), the first component left out
+    EXPECT_THAT(without, testing::HasSubstr("Gravity (-9.81 0) [m/s2] points to the side more than down"));
+    EXPECT_THAT(without, testing::HasSubstr("g/value at line 1"));
     std::filesystem::remove_all(directory);
 }
 

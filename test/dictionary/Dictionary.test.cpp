@@ -321,6 +321,24 @@ TEST(Dictionary, WhatIsGivenTwiceInOnePlaceIsWarnedOf)
     EXPECT_EQ(warned("m on; #if $m\na 1;\n#else\na 2;\n#endif"), "");
 }
 
+TEST(Dictionary, WhatIsGivenTwiceInADictionaryOfAListIsWarnedOf)
+{
+    const auto warned = [](const std::string& text)
+    {
+        testing::internal::CaptureStderr();
+        const Dictionary dictionary = Dictionary::readString(text, "constant/y");
+        dictionary.get<std::vector<Dictionary>>("openings");
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_THAT(warned("openings\n(\n    {\n        to 1;\n        to 2;\n    }\n);"),
+                AllOf(HasSubstr("to is given twice, first at line 4; the last one counts"),
+                      HasSubstr("constant/y/openings/to at line 5")));
+    EXPECT_THAT(warned("openings ( { a { b 1; }\na { c 2; } } );"), HasSubstr("taken together"));
+    EXPECT_EQ(warned("openings ( { to 1; } { to 1; } );"), "");
+    EXPECT_EQ(warned("base { to 1; }\nopenings ( { $base; to 2; } );"), "");
+    EXPECT_EQ(warned("base { to 1; } openings ( { a { $base; to 2; } a1 { to 2; } } );"), "");
+}
+
 TEST(Dictionary, DirectivesMergeRemoveAndChoose)
 {
     EXPECT_EQ(expanded("a 1; #inputMode protect\n a 2;", "a"), "1");

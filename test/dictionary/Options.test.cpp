@@ -265,11 +265,9 @@ TEST(Options, FaultsAreNamedWithTheirPlaceAndRepair)
         reportOf("texture { radius 1; }"),
         HasSubstr(
             "The entry type is missing: it chooses the texture.\n\nValid texture types: arch runningBond"));
-    EXPECT_THAT(
-        reportOf("texture { radius 1;\ntpye arch; }"),
-        AllOf(HasSubstr("Unknown key tpye. Did you mean type? It chooses the texture.\n\nValid texture "
-                        "types: arch runningBond"),
-              HasSubstr("texture/tpye at line 2.")));
+    EXPECT_THAT(reportOf("texture\n{\n    tpye arch;\n}"),
+                AllOf(HasSubstr("it chooses the texture. Did you mean type with tpye at line 3?\n\nValid"),
+                      HasSubstr("texture at line 1.")));
     EXPECT_THAT(reportOf("dimensions 2;"),
                 HasSubstr("The sub-dictionary texture is missing: how blocks are laid."));
     EXPECT_THAT(reportOf("texture arch;"),

@@ -252,6 +252,44 @@ TEST(ParameterSearch, LooksAtNoMorePointsThanItMay)
     }
 }
 
+// DIRECT and DIRECT_L of NLopt read a point that they had not set when the first one stopped them: SIGSEGV.
+TEST(ParameterSearch, TheFirstPointsMayEndAnySearch)
+{
+    for (const auto& [name, algorithm] : namesOf(SearchAlgorithm()))
+    {
+        for (const char* constraints : {"", "constraints { c { value x; atLeast -0.5; } } "})
+        {
+            if (algorithm == SearchAlgorithm::bisection)
+            {
+                continue;
+            }
+            std::optional<ParameterSearchSettings> settings;
+            try
+            {
+                settings =
+                    settingsOf(fmt::format("objective {{ goal minimise; value f; }} {}search ( {{ algorithm "
+                                           "{}; maximumEvaluations 60; }} );",
+                                           constraints, name));
+            }
+            catch (const FatalIOError&)
+            {
+                continue; // an algorithm without constraints
+            }
+            for (const std::size_t most : {0u, 1u, 2u})
+            {
+                std::vector<std::vector<double>> asked;
+                EXPECT_EQ(search(*settings, bowl, &asked, most).end, SearchEnd::interrupted) << name << most;
+                EXPECT_EQ(asked.size(), most) << name;
+                std::size_t count = 0;
+                const auto failing = [&](const std::vector<double>& at)
+                { return count++ == most ? throw FatalError("a fault of the case") : bowl(at); };
+                EXPECT_THROW(search(*settings, failing), FatalError) << name << most;
+                EXPECT_EQ(count, most + 1) << name;
+            }
+        }
+    }
+}
+
 TEST(ParameterSearch, AnErrorOfTheEvaluationPassesThroughNLopt)
 {
     const auto settings =

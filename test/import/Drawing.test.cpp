@@ -258,6 +258,7 @@ TEST(Dxf, WhatIsMarkedInvisibleIsLeftOutAndCounted)
 TEST(Dxf, HostileFilesEndInAMessage)
 {
     EXPECT_THAT(report("AutoCAD Binary DXF\r\n"), HasSubstr("text form"));
+    EXPECT_THAT(report("AC1027\0\0\0"), HasSubstr("This is a DWG file"));
     EXPECT_THAT(report("hello\n"), AllOf(HasSubstr("no integer"), HasSubstr("line 1")));
     EXPECT_THAT(report(section("ENTITIES", square)), HasSubstr("without `EOF`"));
     EXPECT_THAT(report(groups({{0, "SECTION"}, {2, "ENTITIES"}}) + square + end),
@@ -360,6 +361,12 @@ TEST(Svg, ElementsOfManyNamesAreAllCounted)
     const Drawing drawing = readVector(elements);
     EXPECT_THAT(drawing.ignored, testing::Contains("2 elements thing0"));
     EXPECT_THAT(drawing.ignored, testing::Contains("100 elements of other names"));
+}
+
+TEST(Svg, HalfACornerIsRefused)
+{
+    EXPECT_THAT(reportOf([] { readVector("<polygon points=\"0,0 1,0 1,1 0\"/>"); }),
+                HasSubstr("A number is expected at the end: a coordinate is missing."));
 }
 
 TEST(Svg, TransformsAreApplied)

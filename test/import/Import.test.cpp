@@ -123,6 +123,22 @@ TEST_F(Imports, TheFormatFollowsFromTheName)
     EXPECT_THAT(reportOf([&] { make("file \"e.obj\";"); }), HasSubstr("empty"));
 }
 
+TEST_F(Imports, ATextInUtf16IsRefusedAsSuch)
+{
+    for (const int first : {0, 1}) // of the two bytes of a letter the one with its value
+    {
+        std::string wide = first == 0 ? "\xFF\xFE" : "\xFE\xFF";
+        for (const char letter : wedge + faces)
+        {
+            wide += first == 0 ? std::string{letter, '\0'} : std::string{'\0', letter};
+        }
+        write("f.obj", wide);
+        EXPECT_THAT(reportOf([&] { make("file \"f.obj\";"); }), HasSubstr("save it in UTF-8"));
+        write("f.obj", wide.substr(2));
+        EXPECT_THAT(reportOf([&] { make("file \"f.obj\";"); }), HasSubstr("save it in UTF-8"));
+    }
+}
+
 TEST_F(Imports, ADrawingGivenDepthKeepsItsLayersAndSupports)
 {
     write("f.svg",

@@ -202,6 +202,18 @@ TEST(Ply, FaultsAreNamed)
     EXPECT_THAT(report(text), HasSubstr("has vertex 8"));
 }
 
+TEST(Ply, WhatTheHeaderDoesNotCountIsNotLeftOut)
+{
+    const auto report = [](const std::string& text) { return reportOf([&] { readPly(fileOf(text)); }); };
+    for (std::string bytes : {asciiPly(), binaryPly(std::endian::little), binaryPly(std::endian::big)})
+    {
+        EXPECT_EQ(report(bytes + "\n \r\n"), "no error");
+        bytes.replace(bytes.find("face 6"), 6, "face 4"); // of blocks in one file these may be whole ones
+        EXPECT_THAT(report(bytes), HasSubstr("behind the last element that the header counts"));
+    }
+    EXPECT_THAT(report(asciiPly() + "4 0 1 2 3\n"), AllOf(HasSubstr("4 stands behind"), HasSubstr("line")));
+}
+
 std::string binaryStl(const std::vector<Polyhedron>& shapes)
 {
     std::string bytes(80, ' ');

@@ -444,6 +444,22 @@ TEST(VtkSeries, FramesOfAnotherApplicationAreReplacedAll)
     EXPECT_THAT(VtkSeries(folder.path(), "blocks", 1, "contactDynamics").times(), ElementsAre(0.75));
 }
 
+TEST(VtkSeries, AListThatIsAFolderIsNamed)
+{
+    const ScratchFolder folder;
+    std::filesystem::create_directories(folder / "blocks.vtp.series");
+    try
+    {
+        readSeries(folder.path(), "blocks");
+        FAIL();
+    }
+    catch (const FatalIOError& error)
+    {
+        EXPECT_THAT(error.report(),
+                    testing::AllOf(HasSubstr("This is no file"), HasSubstr("blocks.vtp.series")));
+    }
+}
+
 TEST(VtkSeries, ANewRunFromZeroLeavesNoFrameOfTheOldOne)
 {
     const ScratchFolder folder;

@@ -174,13 +174,35 @@ class ParameterSearch(CaseTest):
         dictionary = os.path.join(case, "system/parameterSearchDict")
         text = self.read(case, "system/parameterSearchDict")
         for applications, table, told in (
-                ("limitAnalysis", "limitAnalysis/0/limitAnalysi.dat", "Unknown limitAnalysis table limitAnalysi"),
-                ("contactDynamics", "enrgy/0/energy.dat", "postProcessing/enrgy")):
+                ("limitAnalysis", "postProcessing/limitAnalysis/0/limitAnalysi.dat", "Unknown limitAnalysis table limitAnalysi"),
+                ("limitAnalysis", "postProcessing/limitAnalysis/O/limitAnalysis.dat", "into postProcessing/limitAnalysis/0, and not"),
+                ("limitAnalysis", "postProcessin/limitAnalysis/0/limitAnalysis.dat", "their tables are in postProcessing."),
+                ("contactDynamics", "postProcessing/enrgy/0/energy.dat", "postProcessing/enrgy")):
             with open(dictionary, "w", encoding="utf-8") as file:
-                file.write(text.replace("limitAnalysis);", applications + ");").replace("limitAnalysis/0/limitAnalysis.dat", table))
+                file.write(text.replace("limitAnalysis);", applications + ");")
+                           .replace("postProcessing/limitAnalysis/0/limitAnalysis.dat", table))
             done = self.run_(case, "-dry-run", status=1)
             self.assertIn(told, done.stderr)
             self.assertRegex(done.stderr, r"parameterSearchDict\S*table at line 5")
+
+    def testATableOfEffectsNeedsNoFunction(self):
+        case = self.case("effects")
+        dictionary = os.path.join(case, "system/parameterSearchDict")
+        text = self.read(case, "system/parameterSearchDict")
+        with open(dictionary, "w", encoding="utf-8") as file:
+            file.write(text.replace("limitAnalysis);", "contactDynamics);")
+                       .replace("postProcessing/limitAnalysis/0/limitAnalysis.dat", "postProcessing/effects/0/effects.dat"))
+        self.run_(case, "-dry-run")
+
+    def testATableThatIsNotWrittenEndsASearchByDirect(self):
+        # The first point ended NLopt's DIRECT_L with SIGSEGV.
+        case = self.case("notWritten", algorithm="DIRECT_L", evaluations="4",
+                         constraints="constraints { rubs { value alpha; atLeast 0.3; } }")
+        dictionary = os.path.join(case, "system/parameterSearchDict")
+        text = self.read(case, "system/parameterSearchDict")
+        with open(dictionary, "w", encoding="utf-8") as file:
+            file.write(text.replace("limitAnalysis.dat", "coulomb.dat"))
+        self.assertIn("have not written the table", self.run_(case, status=1).stderr)
 
     def testACaseThatIsFaultyIsToldAtItsFirstPoint(self):
         case = self.case("faulty")

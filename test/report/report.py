@@ -142,7 +142,8 @@ class Report(CaseTest):
         for content, said in {None: "is missing", "garbage x y\n": "holds no multiplier",
                               f"{heading}\nnan {row.split(maxsplit=1)[1]}\n": "holds no multiplier",
                               f"{heading}\n{row.split()[0]} nan {row.split(maxsplit=2)[2]}\n": "holds no multiplier",
-                              f"{good}0.1 abc\n": "is damaged in line 3"}.items():
+                              f"{good}0.1 abc\n": "is damaged in line 3",
+                              good.replace(" 33 ", " 55 ", 1): "is of 55 free blocks, and this case has 33"}.items():
             os.remove(os.path.join(case, name))
             if content is not None:
                 with open(os.path.join(case, name), "w", encoding="utf-8") as file:

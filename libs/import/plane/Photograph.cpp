@@ -3,6 +3,7 @@
 #include "import/plane/Photograph.h"
 
 #include "core/Log.h"
+#include "core/NamedFile.h"
 #include "geometry/BroadPhase.h"
 #include "geometry/PolygonShape.h"
 #include "import/plane/StoneBorders.h"
@@ -197,14 +198,7 @@ Assembly<2> makeAssembly(const Photograph& photograph, const std::filesystem::pa
 {
     const std::filesystem::path given(photograph.file);
     const std::filesystem::path path = given.is_absolute() ? given : caseDirectory / given;
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored))
-    {
-        throw FatalIOError(
-            fmt::format("There is no file {}.\n\nCheck the name: it is relative to the case directory.",
-                        path.lexically_normal().string()),
-            place);
-    }
+    requireFile(path, place);
     const ImportedFile file = readSource(path);
     const Raster<std::uint8_t> picture = readPng(file);
     refusePointsOutside(photograph, picture, file, placeOfPoints);
