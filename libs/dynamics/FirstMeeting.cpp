@@ -16,13 +16,12 @@ namespace
 /// The step up to where blocks meet ends earlier by this part of itself, so that they do not overlap there.
 constexpr double stopsEarly = 1e-7;
 
-} // namespace
-
+/// By how much farther apart points are put so that the step does not close them, whatever the other contacts
+/// do to the blocks [m]; zero at all others.
 template<int Dim>
-Meeting firstMeeting(Step<Dim>& step, const Eigen::VectorXd& closing,
-                     const std::vector<std::size_t>& approaching)
+Eigen::VectorXd liftOf(const Step<Dim>& step, const Eigen::VectorXd& closing,
+                       const std::vector<std::size_t>& approaching)
 {
-    // Far enough not to be reached, whatever the other contacts do to the blocks.
     constexpr double far = 10;
     double fastest = step.acceleration * step.scheme.timeStep;
     for (const std::size_t point : approaching)
@@ -35,28 +34,56 @@ Meeting firstMeeting(Step<Dim>& step, const Eigen::VectorXd& closing,
         lift[Dim * static_cast<Eigen::Index>(point)] =
             step.points[point].gap + far * fastest * step.scheme.timeStep;
     }
-    StepProgram<Dim> lifting = step.program;
-    lifting.gap += lift;
-    const Relinearisation<Dim> relinearise =
-        step.relinearise
-            ? [&](const Eigen::VectorXd& displacement, const Eigen::VectorXd& force, StepProgram<Dim>& lifted)
+    return lift;
+}
+
+/// The step with points farther apart.
+template<int Dim>
+ThetaStep solveLifted(Step<Dim>& step, const Eigen::VectorXd& lift)
+{
+    StepProgram<Dim> program = step.program;
+    program.gap += lift;
+    Relinearisation<Dim> relinearise;
+    if (step.relinearise)
     {
-        lifted.gap -= lift;
-        const double error = step.relinearise(displacement, force, lifted);
-        lifted.gap += lift;
-        return error;
+        relinearise =
+            [&](const Eigen::VectorXd& displacement, const Eigen::VectorXd& force, StepProgram<Dim>& lifted)
+        {
+            lifted.gap -= lift;
+            const double error = step.relinearise(displacement, force, lifted);
+            lifted.gap += lift;
+            return error;
+        };
     }
-            : Relinearisation<Dim>();
-    Meeting meeting;
     StepGuess guess = step.guess;
     if (followsFlow(step.settings))
     {
         // Those without the points are followed from those with them.
         guess.contactForce = step.solved.result.contactForce;
     }
-    meeting.result =
-        solveThetaStep(std::move(lifting), step.settings, guess, relinearise, step.motion.symbolic.get());
-    countWork(step, meeting.result.iterations, meeting.result.factorisations, meeting.result.programs);
+    ThetaStep result =
+        solveThetaStep(std::move(program), step.settings, guess, relinearise, step.motion.symbolic.get());
+    countWork(step, result.iterations, result.factorisations, result.programs);
+    return result;
+}
+
+/// After which part of a step a gap is closed that changes as a parabola. \param start the gap [m] \param
+/// slope its change over the step as it begins [m] \param end the gap after the step, below 0 [m]
+double partUntilClosed(double start, double slope, double end)
+{
+    const double curvature = end - start - slope;
+    const double root = std::sqrt(std::max(slope * slope - 4 * curvature * start, 0.0));
+    return slope < 0 ? 2 * start / (root - slope) : -(slope + root) / (2 * curvature);
+}
+
+} // namespace
+
+template<int Dim>
+Meeting firstMeeting(Step<Dim>& step, const Eigen::VectorXd& closing,
+                     const std::vector<std::size_t>& approaching)
+{
+    Meeting meeting;
+    meeting.result = solveLifted(step, liftOf(step, closing, approaching));
     meeting.isSolved = meeting.result.status == SolveStatus::optimal;
     if (!meeting.isSolved)
     {
@@ -68,13 +95,10 @@ Meeting firstMeeting(Step<Dim>& step, const Eigen::VectorXd& closing,
     for (const std::size_t point : approaching)
     {
         const auto row = Dim * static_cast<Eigen::Index>(point);
-        const double start = step.points[point].gap;
-        const double slope = -step.scheme.timeStep * closing[row];
-        const double curvature = opening[row] - start - slope;
         if (opening[row] < 0)
         {
-            const double root = std::sqrt(std::max(slope * slope - 4 * curvature * start, 0.0));
-            const double part = slope < 0 ? 2 * start / (root - slope) : -(slope + root) / (2 * curvature);
+            const double part =
+                partUntilClosed(step.points[point].gap, -step.scheme.timeStep * closing[row], opening[row]);
             meeting.part = std::min(meeting.part, (1 - stopsEarly) * part);
         }
     }

@@ -83,6 +83,73 @@ std::optional<RecordGap> gapOf(const GroundAcceleration& history, const std::vec
     return gap.to > gap.from ? std::optional(gap) : std::nullopt;
 }
 
+/// Of the size of the record: its peak, its unit and what it is scaled by.
+std::optional<Doubt> doubtAboutSize(const GroundMotion::Component& component, const Dictionary& acceleration)
+{
+    const double peak = component.acceleration->peak();
+    const double scale = acceleration.getOrDefault<double>("scale", 1);
+    if (component.valueUnit != 1 && convertsFromG(scale))
+    {
+        return Doubt{fmt::format("scale {:g} converts a record that is converted already: a value of 1 in "
+                                 "the file is {:g} m/s2, so that the peak is {:.4g} m/s2 "
+                                 "(without the scale {:.4g} m/s2). Usual is `scale 1;`.",
+                                 scale, component.valueUnit, peak, peak / std::abs(scale)),
+                     acceleration.locationOf("scale")};
+    }
+    if (peak > 0 && (peak < weakestRecord || peak > strongestRecord))
+    {
+        return Doubt{fmt::format("The record has a peak of {:.4g} m/s2, which is unusual: usual "
+                                 "is from {:g} to {:g} m/s2. Check unit and scale; the record is used as "
+                                 "it stands.",
+                                 peak, weakestRecord, strongestRecord),
+                     acceleration.locationOf("file")};
+    }
+    if (component.unitIsAssumed && !acceleration.found("peakAcceleration") && peak > 0
+        && peak < strongestInG * std::abs(scale) && !convertsFromG(scale))
+    {
+        return Doubt{
+            fmt::format("The record does not say its unit, and m/s2 is assumed: its largest value of "
+                        "{:.4g} is as usual in g. Declare `unit g;` or `unit m/s2;`.",
+                        peak / std::abs(scale)),
+            acceleration.locationOf("file")};
+    }
+    return std::nullopt;
+}
+
+std::optional<Doubt> doubtAboutRows(const GroundAcceleration& history, const std::vector<double>& kinks,
+                                    const SourceLocation& file)
+{
+    const std::optional<RecordGap> gap = gapOf(history, kinks);
+    if (!gap)
+    {
+        return std::nullopt;
+    }
+    return Doubt{
+        fmt::format("The record has no value between {:g} and {:g} s of the motion, {:.0f} times its "
+                    "usual interval of {:g} s: what the ground does there is interpolated. Check that "
+                    "no rows are missing.",
+                    gap->from, gap->to, (gap->to - gap->from) / gap->usual, gap->usual),
+        file};
+}
+
+std::optional<Doubt> doubtAboutDrift(const GroundAcceleration& history, const std::vector<double>& kinks,
+                                     const SourceLocation& file)
+{
+    const auto [last, largest] = lastAndPeakVelocity(history, kinks);
+    if (!(std::abs(last) > velocityLeft * largest))
+    {
+        return std::nullopt;
+    }
+    return Doubt{
+        fmt::format("The record drifts: its mean acceleration is {:.4g} m/s2, so that the ground still "
+                    "moves at {:.4g} m/s at its end, {:.0f}% of the peak velocity of {:.4g} m/s. Usual "
+                    "is at most {:.0f}%; `baseline constant;` takes the mean away, `baseline linear;` a "
+                    "drift that grows.",
+                    last / (kinks.back() - kinks.front()), last, 100 * std::abs(last) / largest, largest,
+                    100 * velocityLeft),
+        file};
+}
+
 } // namespace
 
 std::vector<Doubt> doubtsAboutRecord(const GroundMotion::Component& component, const Dictionary& acceleration)
@@ -92,69 +159,26 @@ std::vector<Doubt> doubtsAboutRecord(const GroundMotion::Component& component, c
     {
         return doubts;
     }
+    const auto add = [&doubts](std::optional<Doubt> doubt)
+    {
+        if (doubt)
+        {
+            doubts.push_back(std::move(*doubt));
+        }
+    };
     const GroundAcceleration& history = *component.acceleration;
-    const double peak = history.peak();
-    const double scale = acceleration.getOrDefault<double>("scale", 1);
-    if (component.valueUnit != 1 && convertsFromG(scale))
-    {
-        doubts.push_back(
-            {fmt::format("scale {:g} converts a record that is converted already: a value of 1 in "
-                         "the file is {:g} m/s2, so that the peak is {:.4g} m/s2 "
-                         "(without the scale {:.4g} m/s2). Usual is `scale 1;`.",
-                         scale, component.valueUnit, peak, peak / std::abs(scale)),
-             acceleration.locationOf("scale")});
-    }
-    else if (peak > 0 && (peak < weakestRecord || peak > strongestRecord))
-    {
-        doubts.push_back(
-            {fmt::format("The record has a peak of {:.4g} m/s2, which is unusual: usual "
-                         "is from {:g} to {:g} m/s2. Check unit and scale; the record is used as "
-                         "it stands.",
-                         peak, weakestRecord, strongestRecord),
-             acceleration.locationOf("file")});
-    }
-    else if (component.unitIsAssumed && !acceleration.found("peakAcceleration") && peak > 0
-             && peak < strongestInG * std::abs(scale) && !convertsFromG(scale))
-    {
-        doubts.push_back(
-            {fmt::format(
-                 "The record does not say its unit, and m/s2 is assumed: its largest value of {:.4g} is "
-                 "as usual in g. Declare `unit g;` or `unit m/s2;`.",
-                 peak / std::abs(scale)),
-             acceleration.locationOf("file")});
-    }
     const std::vector<double> kinks = history.kinks();
+    const SourceLocation file = acceleration.locationOf("file");
+    add(doubtAboutSize(component, acceleration));
     if (kinks.size() < 2)
     {
-        doubts.push_back(
-            {"The record has a single value, which lasts no time: the ground does not move. Check "
-             "that the file is complete.",
-             acceleration.locationOf("file")});
+        add(Doubt{"The record has a single value, which lasts no time: the ground does not move. Check "
+                  "that the file is complete.",
+                  file});
         return doubts;
     }
-    if (const std::optional<RecordGap> gap = gapOf(history, kinks))
-    {
-        doubts.push_back(
-            {fmt::format(
-                 "The record has no value between {:g} and {:g} s of the motion, {:.0f} times its usual "
-                 "interval of {:g} s: what the ground does there is interpolated. Check that no rows "
-                 "are missing.",
-                 gap->from, gap->to, (gap->to - gap->from) / gap->usual, gap->usual),
-             acceleration.locationOf("file")});
-    }
-    const auto [last, largest] = lastAndPeakVelocity(history, kinks);
-    if (std::abs(last) > velocityLeft * largest)
-    {
-        doubts.push_back(
-            {fmt::format(
-                 "The record drifts: its mean acceleration is {:.4g} m/s2, so that the ground still "
-                 "moves at {:.4g} m/s at its end, {:.0f}% of the peak velocity of {:.4g} m/s. Usual is "
-                 "at most {:.0f}%; `baseline constant;` takes the mean away, `baseline linear;` a "
-                 "drift that grows.",
-                 last / (kinks.back() - kinks.front()), last, 100 * std::abs(last) / largest, largest,
-                 100 * velocityLeft),
-             acceleration.locationOf("file")});
-    }
+    add(doubtAboutRows(history, kinks, file));
+    add(doubtAboutDrift(history, kinks, file));
     return doubts;
 }
 
