@@ -99,42 +99,61 @@ std::vector<Reaction<Dim>> supportReactions(const StepObservation<Dim>& step)
 } // namespace
 
 template<int Dim>
+void ContactForcesFunction<Dim>::openTables(const StepObservation<Dim>& step)
+{
+    constexpr bool isPlane = Dim == 2;
+    std::vector<std::string> columns{"Time[s]",
+                                     "points[-]",
+                                     "open[-]",
+                                     "sticking[-]",
+                                     "sliding[-]",
+                                     "largestNormalForce[N]",
+                                     "largestShearForce[N]"};
+    const std::vector<std::string> components =
+        isPlane ? std::vector<std::string>{".x[N]", ".y[N]", ".moment[Nm]"}
+                : std::vector<std::string>{".x[N]",        ".y[N]",        ".z[N]",
+                                           ".momentX[Nm]", ".momentY[Nm]", ".momentZ[Nm]"};
+    for (const Support& support : step.assembly->supports)
+    {
+        for (const std::string& component : components)
+        {
+            columns.push_back(support.name + component);
+        }
+    }
+    table.emplace(output.folder / "contactForces.dat", columns, output.precision);
+    if (listing == ContactPointTable::all)
+    {
+        std::vector<std::string> ofPoints{"Time[s]", "block[-]", "neighbour[-]", "x[m]", "y[m]"};
+        if (!isPlane)
+        {
+            ofPoints.emplace_back("z[m]");
+        }
+        ofPoints.insert(ofPoints.end(), {"gap[m]", "normalForce[N]", "shearForce[N]", "state[-]"});
+        points.emplace(output.folder / "points.dat", ofPoints, output.precision);
+    }
+}
+
+template<int Dim>
+void ContactForcesFunction<Dim>::writePoint(const StepObservation<Dim>& step, std::size_t index,
+                                            ContactState state)
+{
+    const ContactPoint<Dim>& point = step.contactPoints[index];
+    const Vector<Dim>& force = step.contactForces[index];
+    // In the plane shear has a sign, in space a size.
+    const double shear = Dim == 2 ? force[1] : force.template tail<Dim - 1>().norm();
+    Eigen::Matrix<double, 7 + Dim, 1> row;
+    row << step.time, 1.0 * point.block, 1.0 * point.neighbour, point.position, point.gap, force.x(), shear,
+        1.0 * static_cast<int>(state);
+    points->write({row.data(), static_cast<std::size_t>(row.size())});
+}
+
+template<int Dim>
 void ContactForcesFunction<Dim>::write(const StepObservation<Dim>& step)
 {
     if (!table)
     {
-        std::vector<std::string> columns{"Time[s]",
-                                         "points[-]",
-                                         "open[-]",
-                                         "sticking[-]",
-                                         "sliding[-]",
-                                         "largestNormalForce[N]",
-                                         "largestShearForce[N]"};
-        for (const Support& support : step.assembly->supports)
-        {
-            const std::vector<std::string> components =
-                Dim == 2 ? std::vector<std::string>{".x[N]", ".y[N]", ".moment[Nm]"}
-                         : std::vector<std::string>{".x[N]",        ".y[N]",        ".z[N]",
-                                                    ".momentX[Nm]", ".momentY[Nm]", ".momentZ[Nm]"};
-            for (const std::string& component : components)
-            {
-                columns.push_back(support.name + component);
-            }
-        }
-        table.emplace(output.folder / "contactForces.dat", columns, output.precision);
-        if (listing == ContactPointTable::all)
-        {
-            points.emplace(
-                output.folder / "points.dat",
-                Dim == 2
-                    ? std::vector<std::string>{"Time[s]", "block[-]", "neighbour[-]", "x[m]", "y[m]",
-                                               "gap[m]", "normalForce[N]", "shearForce[N]", "state[-]"}
-                    : std::vector<std::string>{"Time[s]", "block[-]", "neighbour[-]", "x[m]", "y[m]", "z[m]",
-                                               "gap[m]", "normalForce[N]", "shearForce[N]", "state[-]"},
-                output.precision);
-        }
+        openTables(step);
     }
-
     double largestNormal = 0;
     double largestShear = 0;
     for (const Vector<Dim>& force : step.contactForces)
@@ -147,18 +166,10 @@ void ContactForcesFunction<Dim>::write(const StepObservation<Dim>& step)
     std::array<int, 3> counts{};
     for (std::size_t i = 0; i < step.contactPoints.size(); ++i)
     {
-        const ContactPoint<Dim>& point = step.contactPoints[i];
-        const Vector<Dim>& force = step.contactForces[i];
-        const auto state = static_cast<int>(states[i]);
-        ++counts[static_cast<std::size_t>(state)];
+        ++counts[static_cast<std::size_t>(states[i])];
         if (points)
         {
-            // In the plane shear has a sign, in space a size.
-            const double shear = Dim == 2 ? force[1] : force.template tail<Dim - 1>().norm();
-            Eigen::Matrix<double, 7 + Dim, 1> row;
-            row << step.time, 1.0 * point.block, 1.0 * point.neighbour, point.position, point.gap, force.x(),
-                shear, 1.0 * state;
-            points->write({row.data(), static_cast<std::size_t>(row.size())});
+            writePoint(step, i, states[i]);
         }
     }
 

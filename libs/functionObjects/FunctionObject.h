@@ -3,6 +3,7 @@
 /// animation.
 #pragma once
 
+#include "contact/ContactState.h"
 #include "dynamics/StepObservation.h"
 #include "functionObjects/ColumnFile.h"
 #include "runControl/PictureFormats.h"
@@ -99,6 +100,9 @@ public:
     void write(const StepObservation<Dim>& step) override;
 
 private:
+    void openTables(const StepObservation<Dim>& step);
+    void writePoint(const StepObservation<Dim>& step, std::size_t index, ContactState state);
+
     FunctionOutput output;
     ContactPointTable listing;
     std::optional<ColumnFile> table;

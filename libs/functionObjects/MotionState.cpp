@@ -234,6 +234,51 @@ Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
     return motion;
 }
 
+namespace
+{
+
+template<int Dim>
+void addPlacements(const Motion<Dim>& motion, State& state)
+{
+    auto& translation = state.arrays["translation"];
+    auto& rotation = state.arrays["rotation"];
+    for (const Placement<Dim>& placement : motion.state.placements)
+    {
+        append(translation, placement.translation);
+        append(rotation, rowsOf(placement.rotation));
+    }
+}
+
+template<int Dim>
+void addPoints(const Motion<Dim>& motion, State& state)
+{
+    auto& arrays = state.arrays;
+    auto& features = arrays["contactFeature"];
+    auto& gaps = arrays["contactGap"];
+    auto& forces = arrays["contactForce"];
+    auto& positions = arrays["contactPosition"];
+    auto& normals = arrays["contactNormal"];
+    for (std::size_t i = 0; i < motion.points.size(); ++i)
+    {
+        const ContactPoint<Dim>& point = motion.points[i];
+        for (const int number : {point.block, point.neighbour, point.feature.vertexBlock,
+                                 point.feature.vertex, point.feature.edge})
+        {
+            features.push_back(number);
+        }
+        gaps.push_back(point.gap);
+        append(positions, point.position);
+        append(normals, point.normal);
+        append(forces, motion.contactForces[i]);
+    }
+    for (const Vector<Dim>& mean : motion.meanForces)
+    {
+        append(arrays["contactForceMean"], mean);
+    }
+}
+
+} // namespace
+
 template<int Dim>
 State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time)
 {
@@ -263,40 +308,13 @@ State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Ti
     {
         state.scalars["stepOverlapsLeft"] = motion.overlapsLeft;
     }
-    auto& translation = state.arrays["translation"];
-    auto& rotation = state.arrays["rotation"];
-    for (const Placement<Dim>& placement : motion.state.placements)
-    {
-        append(translation, placement.translation);
-        append(rotation, rowsOf(placement.rotation));
-    }
+    addPlacements(motion, state);
     state.arrays["velocity"].assign(motion.state.velocity.begin(), motion.state.velocity.end());
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
         scene.effects[i]->save(motion.effectStates[i], state.arrays);
     }
-    auto& features = state.arrays["contactFeature"];
-    auto& gaps = state.arrays["contactGap"];
-    auto& forces = state.arrays["contactForce"];
-    auto& positions = state.arrays["contactPosition"];
-    auto& normals = state.arrays["contactNormal"];
-    for (std::size_t i = 0; i < motion.points.size(); ++i)
-    {
-        const ContactPoint<Dim>& point = motion.points[i];
-        for (const int number : {point.block, point.neighbour, point.feature.vertexBlock,
-                                 point.feature.vertex, point.feature.edge})
-        {
-            features.push_back(number);
-        }
-        gaps.push_back(point.gap);
-        append(positions, point.position);
-        append(normals, point.normal);
-        append(forces, motion.contactForces[i]);
-    }
-    for (const Vector<Dim>& mean : motion.meanForces)
-    {
-        append(state.arrays["contactForceMean"], mean);
-    }
+    addPoints(motion, state);
     if (const InteriorStart& interior = motion.interior; !interior.isEmpty())
     {
         state.arrays["interiorForce"].assign(interior.contactForce.begin(), interior.contactForce.end());
