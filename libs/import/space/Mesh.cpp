@@ -11,6 +11,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 namespace drystone
 {
@@ -278,12 +279,21 @@ std::vector<Polyhedron> parted(const Polyhedron& mesh)
     return pieces;
 }
 
-int turnOutwards(Polyhedron& mesh)
+namespace
 {
-    const auto count = static_cast<int>(mesh.faces.size());
-    // Neighbours across each edge of two faces, and whether they disagree.
-    std::vector<std::vector<std::pair<int, bool>>> neighbours(mesh.faces.size());
-    bool doAgree = true;
+
+/// Faces of a mesh that have an edge in common, and whether they run along it in the same sense: then one of
+/// them is turned.
+struct FaceNeighbours
+{
+    std::vector<std::vector<std::pair<int, bool>>> of; ///< each face: its neighbours, and whether it is so
+    bool doAgree = true;                               ///< all of them
+};
+
+FaceNeighbours faceNeighbours(const Polyhedron& mesh)
+{
+    FaceNeighbours neighbours;
+    neighbours.of.resize(mesh.faces.size());
     const std::vector<FaceEdge> edges = sortedEdges(mesh);
     visitEdges(edges,
                [&](EdgeIterator first, EdgeIterator last)
@@ -292,69 +302,87 @@ int turnOutwards(Polyhedron& mesh)
                    {
                        const EdgeIterator second = std::next(first);
                        const bool isTurned = first->from == second->from;
-                       doAgree = doAgree && !isTurned;
-                       neighbours[first->face].emplace_back(second->face, isTurned);
-                       neighbours[second->face].emplace_back(first->face, isTurned);
+                       neighbours.doAgree = neighbours.doAgree && !isTurned;
+                       neighbours.of[first->face].emplace_back(second->face, isTurned);
+                       neighbours.of[second->face].emplace_back(first->face, isTurned);
                    }
                });
-    int turned = 0;
-    const auto turn = [&](int face)
+    return neighbours;
+}
+
+/// The faces that are connected with one. \param disagrees of each face, whether it is turned against that
+/// one; nothing for those that are in no shell yet
+std::vector<int> shellFrom(int start, const FaceNeighbours& neighbours,
+                           std::vector<std::optional<bool>>& disagrees)
+{
+    std::vector<int> shell{start};
+    disagrees[start] = false;
+    for (std::size_t next = 0; next < shell.size(); ++next)
+    {
+        const int face = shell[next];
+        for (const auto& [neighbour, isTurned] : neighbours.of[face])
+        {
+            if (!disagrees[neighbour])
+            {
+                disagrees[neighbour] = *disagrees[face] != isTurned;
+                shell.push_back(neighbour);
+            }
+        }
+    }
+    return shell;
+}
+
+void turnFaces(Polyhedron& mesh, const std::vector<int>& faces)
+{
+    for (const int face : faces)
     {
         std::reverse(mesh.faces[face].begin(), mesh.faces[face].end());
-        ++turned;
-    };
-    std::vector<int> shell;
-    if (doAgree)
-    {
-        shell.resize(mesh.faces.size());
-        std::iota(shell.begin(), shell.end(), 0);
-        if (!shell.empty() && volumeWithin(mesh, shell) < 0)
-        {
-            std::for_each(shell.begin(), shell.end(), turn);
-        }
-        return turned;
     }
-    // Of each shell: 1 for faces that disagree with the face it starts from.
-    std::vector<int> mark(mesh.faces.size(), -1);
-    for (int start = 0; start < count; ++start)
+}
+
+/// Turns the faces of a shell, those that disagree with the others or else these, until it holds a volume.
+/// \return how many
+int turnShell(Polyhedron& mesh, const std::vector<int>& shell,
+              const std::vector<std::optional<bool>>& disagrees)
+{
+    std::vector<int> turned;
+    std::vector<int> others;
+    for (const int face : shell)
     {
-        if (mark[start] >= 0)
+        (*disagrees[face] ? turned : others).push_back(face);
+    }
+    turnFaces(mesh, turned);
+    if (volumeWithin(mesh, shell) < 0)
+    {
+        turnFaces(mesh, shell);
+        turned.swap(others);
+    }
+    return static_cast<int>(turned.size());
+}
+
+} // namespace
+
+int turnOutwards(Polyhedron& mesh)
+{
+    const FaceNeighbours neighbours = faceNeighbours(mesh);
+    if (neighbours.doAgree)
+    {
+        std::vector<int> all(mesh.faces.size());
+        std::iota(all.begin(), all.end(), 0);
+        if (all.empty() || !(volumeWithin(mesh, all) < 0))
         {
-            continue;
+            return 0;
         }
-        shell.assign(1, start);
-        mark[start] = 0;
-        for (std::size_t next = 0; next < shell.size(); ++next)
+        turnFaces(mesh, all);
+        return static_cast<int>(all.size());
+    }
+    int turned = 0;
+    std::vector<std::optional<bool>> disagrees(mesh.faces.size());
+    for (int start = 0; start < static_cast<int>(mesh.faces.size()); ++start)
+    {
+        if (!disagrees[start])
         {
-            const int face = shell[next];
-            for (const auto& [neighbour, isTurned] : neighbours[face])
-            {
-                if (mark[neighbour] < 0)
-                {
-                    mark[neighbour] = isTurned ? 1 - mark[face] : mark[face];
-                    shell.push_back(neighbour);
-                }
-            }
-        }
-        const auto turnMarked = [&](int marked)
-        {
-            for (const int face : shell)
-            {
-                if (mark[face] == marked)
-                {
-                    turn(face);
-                }
-            }
-        };
-        turnMarked(1);
-        if (volumeWithin(mesh, shell) < 0)
-        {
-            // Those that were turned are turned back.
-            turned -= 2
-                      * static_cast<int>(std::count_if(shell.begin(), shell.end(),
-                                                       [&](int face) { return mark[face] == 1; }));
-            turnMarked(0);
-            turnMarked(1);
+            turned += turnShell(mesh, shellFrom(start, neighbours, disagrees), disagrees);
         }
     }
     return turned;

@@ -46,22 +46,26 @@ std::vector<Polygon> planeCells(const Vector<2>& size, const std::vector<Vector<
     return cells;
 }
 
-/// Corners of all cells that are nearer to each other than `least`, along edges, become one: their mean,
-/// which stays on the sides of the rectangle and in its corners. Also makes corners that are the same but for
-/// rounding the same.
-void mergeShortEdges(std::vector<Polygon>& cells, const Vector<2>& size, double least)
+/// The corners of all cells, one cell after the other.
+std::vector<Vector<2>> cornersOf(const std::vector<Polygon>& cells)
 {
-    // Clusters of corners: which belong together is found by union of those that are near in the list of all.
     std::vector<Vector<2>> corners;
-    std::vector<BoundingBox> boxes;
-    const double same = 1e-9 * size.maxCoeff();
     for (const Polygon& cell : cells)
     {
-        for (const Vector<2>& corner : cell)
-        {
-            corners.push_back(corner);
-            boxes.push_back(enlarged(BoundingBox{corner, corner}, same / 2));
-        }
+        corners.insert(corners.end(), cell.begin(), cell.end());
+    }
+    return corners;
+}
+
+/// Which corners are to be one: those that are the same but for rounding, and the ends of short edges.
+/// \param corners of the cells
+DisjointSets clustersOf(const std::vector<Polygon>& cells, const std::vector<Vector<2>>& corners, double same,
+                        double least)
+{
+    std::vector<BoundingBox> boxes;
+    for (const Vector<2>& corner : corners)
+    {
+        boxes.push_back(enlarged(BoundingBox{corner, corner}, same / 2));
     }
     DisjointSets clusters(corners.size());
     for (const auto& [one, other] : findMeetingPairs(boxes))
@@ -82,7 +86,14 @@ void mergeShortEdges(std::vector<Polygon>& cells, const Vector<2>& size, double 
         }
         first += count;
     }
-    // The mean of a cluster, but on the sides that it touches.
+    return clusters;
+}
+
+/// Where each corner comes to lie: at the mean of its cluster, but on the sides of the rectangle that the
+/// cluster touches.
+std::vector<Vector<2>> mergedCorners(const std::vector<Vector<2>>& corners, DisjointSets& clusters,
+                                     const Vector<2>& size, double same)
+{
     std::vector<Vector<2>> sums(corners.size(), Vector<2>::Zero());
     std::vector<int> counts(corners.size(), 0);
     std::vector<BoundingBox> extents(corners.size());
@@ -93,34 +104,45 @@ void mergeShortEdges(std::vector<Polygon>& cells, const Vector<2>& size, double 
         ++counts[root];
         extend<2>(extents[root], corners[i]);
     }
-    const auto merged = [&](int root) -> Vector<2>
+    std::vector<Vector<2>> merged(corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i)
     {
-        Vector<2> mean = sums[root] / counts[root];
+        const int root = clusters.firstOf(static_cast<int>(i));
+        merged[i] = sums[root] / counts[root];
         for (int axis = 0; axis < 2; ++axis)
         {
-            mean[axis] = extents[root].lower[axis] < same                ? 0
-                         : extents[root].upper[axis] > size[axis] - same ? size[axis]
-                                                                         : mean[axis];
+            merged[i][axis] = extents[root].lower[axis] < same                ? 0
+                              : extents[root].upper[axis] > size[axis] - same ? size[axis]
+                                                                              : merged[i][axis];
         }
-        return mean;
-    };
-    first = 0;
+    }
+    return merged;
+}
+
+/// Corners of all cells that are nearer to each other than `least`, along edges, become one: their mean,
+/// which stays on the sides of the rectangle and in its corners. Also makes corners that are the same but for
+/// rounding the same.
+void mergeShortEdges(std::vector<Polygon>& cells, const Vector<2>& size, double least)
+{
+    const double same = 1e-9 * size.maxCoeff();
+    const std::vector<Vector<2>> corners = cornersOf(cells);
+    DisjointSets clusters = clustersOf(cells, corners, same, least);
+    const std::vector<Vector<2>> merged = mergedCorners(corners, clusters, size, same);
+    std::size_t next = 0;
     for (Polygon& cell : cells)
     {
         Polygon outline;
-        for (std::size_t i = 0; i < cell.size(); ++i)
+        for (std::size_t i = 0; i < cell.size(); ++i, ++next)
         {
-            const Vector<2> corner = merged(clusters.firstOf(first + static_cast<int>(i)));
-            if (outline.empty() || outline.back() != corner)
+            if (outline.empty() || outline.back() != merged[next])
             {
-                outline.push_back(corner);
+                outline.push_back(merged[next]);
             }
         }
         while (outline.size() > 1 && outline.back() == outline.front())
         {
             outline.pop_back();
         }
-        first += static_cast<int>(cell.size());
         cell = std::move(outline);
     }
 }
