@@ -181,6 +181,28 @@ TEST(MovingLoad, SpreadsToBothSidesInSpace)
     EXPECT_NEAR(beside.live[2] + beside.live[8], -10 * (across / 2 + 0.4) / across, 10 * width);
 }
 
+TEST(MovingLoad, InSpaceActsWhereItMeetsTheFacesOfANarrowBlock)
+{
+    // A ridge that bears a sixteenth of the load, on its top from x = 0 to 1 and on its side at x = 1. Rays
+    // are at 6 + 10 u at its top and come to the side where u is from -1/2 to -10/21.
+    Assembly<3> ridge;
+    ridge.blocks.resize(1);
+    ridge.blocks[0].shape = makeBox({0, -30, 0}, {1, 30, 1});
+    MovingLoadSettings<3> settings;
+    settings.from = {6, 0, 21};
+    settings.to = {7, 0, 21};
+    settings.positions = 2;
+    settings.value = {0, 0, -10};
+    settings.spread = 0.5;
+    const std::vector<LoadPosition<3>> positions = movingLoad(ridge, settings);
+    ASSERT_EQ(positions.size(), 2u);
+    const double top = 0.1 / 2;
+    const double side = (0.5 - 10.0 / 21) / 2;
+    const Eigen::VectorXd& live = positions[0].live;
+    EXPECT_NEAR(live[2], -10 * (top + side), 1e-4);
+    EXPECT_NEAR(live[4], 10 * side * 0.5, 2e-3); // about y; what bears on the top is in its middle
+}
+
 TEST(MovingLoad, OfALoadedLengthAloneDoesNotWiden)
 {
     MovingLoadSettings<2> settings;
