@@ -193,16 +193,16 @@ public:
     {
         if constexpr (Dim == 2)
         {
-            addStrip(0, 1);
+            addStrip(0, 1, cutsOf(0));
         }
         else
         {
             double low = -1;
-            std::vector<int> atLow = blocksOf(cutsOf(low));
+            std::vector<Cut> atLow = cutsOf(low);
             for (int i = 1; i <= strips; ++i)
             {
                 const double high = 2.0 * i / strips - 1;
-                std::vector<int> atHigh = blocksOf(cutsOf(high));
+                std::vector<Cut> atHigh = cutsOf(high);
                 addStrips(low, atLow, high, atHigh, mostHalvingsOfStrips);
                 low = high;
                 atLow = std::move(atHigh);
@@ -214,10 +214,12 @@ public:
 private:
     /// Rays along a strip, and the least of a block; strips; and how often what is between two is halved.
     static constexpr int parts = Dim == 2 ? 100 : 24;
-    static constexpr int leastOfABlock = Dim == 2 ? 20 : 10;
+    static constexpr int leastOfABlock = 20;
     static constexpr int strips = 24;
     static constexpr int mostHalvings = 30;
     static constexpr int mostHalvingsOfStrips = 16;
+    /// By which borders may bend within a strip, of the square of side 2 that u and v are in.
+    static constexpr double leastArea = 1e-5;
 
     /// From where to where along a strip a block is met, or none (-1).
     struct Cut
@@ -266,35 +268,46 @@ private:
         addCuts(v, high, halvings - 1, cuts);
     }
 
-    static std::vector<int> blocksOf(const std::vector<Cut>& cuts)
+    /// Whether the same blocks are met at both sides of a strip and in its middle, with borders that are
+    /// straight in between, so that its middle stands for all of it.
+    static bool areStraight(const std::vector<Cut>& atLow, const std::vector<Cut>& between,
+                            const std::vector<Cut>& atHigh, double width)
     {
-        std::vector<int> blocks;
-        for (const Cut& cut : cuts)
+        if (atLow.size() != between.size() || atHigh.size() != between.size())
         {
-            blocks.push_back(cut.block);
+            return false;
         }
-        return blocks;
+        double bent = 0;
+        for (std::size_t i = 0; i < between.size(); ++i)
+        {
+            if (atLow[i].block != between[i].block || atHigh[i].block != between[i].block)
+            {
+                return false;
+            }
+            bent += std::abs(atLow[i].begin + atHigh[i].begin - 2 * between[i].begin);
+        }
+        return bent * width <= leastArea;
     }
 
-    /// Strips between two, finer where the blocks that they meet change.
-    void addStrips(double low, const std::vector<int>& atLow, double high, const std::vector<int>& atHigh,
+    /// Strips between two, finer where the blocks that they meet change, or their borders bend.
+    void addStrips(double low, const std::vector<Cut>& atLow, double high, const std::vector<Cut>& atHigh,
                    int halvings)
     {
         const double middle = (low + high) / 2;
-        if (atLow == atHigh || halvings == 0)
+        const std::vector<Cut> between = cutsOf(middle);
+        if (halvings == 0 || areStraight(atLow, between, atHigh, high - low))
         {
-            addStrip(middle, (high - low) / 2);
+            addStrip(middle, (high - low) / 2, between);
             return;
         }
-        const std::vector<int> between = blocksOf(cutsOf(middle));
         addStrips(low, atLow, middle, between, halvings - 1);
         addStrips(middle, between, high, atHigh, halvings - 1);
     }
 
     /// \param share of the force
-    void addStrip(double v, double share)
+    void addStrip(double v, double share, const std::vector<Cut>& cuts)
     {
-        for (const Cut& cut : cutsOf(v))
+        for (const Cut& cut : cuts)
         {
             const double length = cut.end - cut.begin;
             const int count = std::max(leastOfABlock, static_cast<int>(std::ceil(length / 2 * parts - 1e-9)));
