@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 #include <optional>
 
 namespace drystone
@@ -17,36 +17,86 @@ namespace drystone
 namespace
 {
 
-/// Where along a ray from a point a block begins [m]; nothing where the ray misses it.
-template<int Dim>
-std::optional<double> entryOf(const Block<Dim>& block, const Vector<Dim>& from, const Vector<Dim>& direction,
-                              double tolerance)
+/// A part of a ray [m].
+struct Stretch
 {
-    std::optional<double> first;
-    std::vector<double> places = placesToCut(block, from, direction);
-    places.push_back(0);
-    for (const double place : places)
+    double begin = 0;
+    double end = std::numeric_limits<double>::infinity();
+};
+
+/// Of a ray from a point, in a box; nothing where it misses the box.
+template<int Dim>
+std::optional<Stretch> stretchIn(const Box<Dim>& box, const Vector<Dim>& from, const Vector<Dim>& direction)
+{
+    Stretch in;
+    for (int axis = 0; axis < Dim; ++axis)
     {
-        if (place >= 0 && (!first || place < *first)
-            && distanceFrom(block, Vector<Dim>(from + place * direction)) <= tolerance)
+        const double toLower = box.lower[axis] - from[axis];
+        const double toUpper = box.upper[axis] - from[axis];
+        if (direction[axis] == 0)
         {
-            first = place;
+            if (toLower > 0 || toUpper < 0)
+            {
+                return std::nullopt;
+            }
+            continue;
         }
+        const double lower = toLower / direction[axis];
+        const double upper = toUpper / direction[axis];
+        in.begin = std::max(in.begin, std::min(lower, upper));
+        in.end = std::min(in.end, std::max(lower, upper));
     }
-    return first;
+    return in.begin <= in.end ? std::optional(in) : std::nullopt;
 }
 
-/// \param among blocks in ascending order
+/// Where along a ray from a point a block begins [m]; nothing where the ray misses it. \param in what the ray
+/// has of the surroundings of the block
 template<int Dim>
-Landing landingOf(const Assembly<Dim>& assembly, const std::vector<int>& among, const Vector<Dim>& from,
-                  const Vector<Dim>& direction)
+std::optional<double> entryOf(const Block<Dim>& block, const Vector<Dim>& from, const Vector<Dim>& direction,
+                              const Stretch& in, double tolerance)
 {
-    const double tolerance = widthOfAJoint(assembly);
+    std::vector<double> places = placesToCut(block, from, direction);
+    places.push_back(0);
+    std::sort(places.begin(), places.end());
+    const auto first = std::lower_bound(places.begin(), places.end(), in.begin);
+    const auto last = std::upper_bound(first, places.end(), in.end);
+    const auto entry =
+        std::find_if(first, last,
+                     [&](double place)
+                     { return distanceFrom(block, Vector<Dim>(from + place * direction)) <= tolerance; });
+    return entry == last ? std::nullopt : std::optional(*entry);
+}
+
+/// A block that rays may meet, and a box somewhat larger than what is as near to it as a joint is wide.
+template<int Dim>
+struct Target
+{
+    int block = -1;
+    Box<Dim> surroundings;
+};
+
+template<int Dim>
+Target<Dim> targetOf(const Assembly<Dim>& assembly, int block, double tolerance)
+{
+    return {block,
+            enlarged<Dim>(boundingBox(assembly.blocks[static_cast<std::size_t>(block)]), 2 * tolerance)};
+}
+
+/// \param among blocks in ascending order \param tolerance the width of a joint [m]
+template<int Dim>
+Landing landingOf(const Assembly<Dim>& assembly, const std::vector<Target<Dim>>& among, double tolerance,
+                  const Vector<Dim>& from, const Vector<Dim>& direction)
+{
     Landing landing;
-    for (const int i : among)
+    for (const Target<Dim>& target : among)
     {
-        const std::optional<double> entry =
-            entryOf(assembly.blocks[static_cast<std::size_t>(i)], from, direction, tolerance);
+        const std::optional<Stretch> in = stretchIn<Dim>(target.surroundings, from, direction);
+        if (!in || in->begin > landing.distance + tolerance)
+        {
+            continue;
+        }
+        const Block<Dim>& block = assembly.blocks[static_cast<std::size_t>(target.block)];
+        const std::optional<double> entry = entryOf(block, from, direction, *in, tolerance);
         if (!entry || *entry > landing.distance + tolerance)
         {
             continue;
@@ -56,7 +106,7 @@ Landing landingOf(const Assembly<Dim>& assembly, const std::vector<int>& among, 
             landing.blocks.clear();
         }
         landing.distance = std::min(landing.distance, *entry);
-        landing.blocks.push_back(i);
+        landing.blocks.push_back(target.block);
     }
     return landing;
 }
@@ -98,15 +148,17 @@ struct SpreadAxle
 
 /// The blocks that a spread axle can meet: those near its rays.
 template<int Dim>
-std::vector<int> blocksBelow(const Assembly<Dim>& assembly, const SpreadAxle<Dim>& axle)
+std::vector<Target<Dim>> targetsBelow(const Assembly<Dim>& assembly, const SpreadAxle<Dim>& axle,
+                                      double tolerance)
 {
     Box<Dim> box;
     extend<Dim>(box, axle.place);
-    for (const Block<Dim>& block : assembly.blocks)
+    std::vector<Target<Dim>> targets;
+    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
-        const Box<Dim> own = boundingBox(block);
-        extend<Dim>(box, own.lower);
-        extend<Dim>(box, own.upper);
+        targets.push_back(targetOf<Dim>(assembly, static_cast<int>(i), tolerance));
+        extend<Dim>(box, targets.back().surroundings.lower);
+        extend<Dim>(box, targets.back().surroundings.upper);
     }
     const double farthest = (box.upper - box.lower).norm();
     Box<Dim> swept;
@@ -119,16 +171,8 @@ std::vector<int> blocksBelow(const Assembly<Dim>& assembly, const SpreadAxle<Dim
             extend<Dim>(swept, Vector<Dim>(ray.from + 2 * farthest * ray.direction));
         }
     }
-    const Box<Dim> way = enlarged<Dim>(swept, widthOfAJoint(assembly));
-    std::vector<int> below;
-    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
-    {
-        if (meet<Dim>(way, boundingBox(assembly.blocks[i])))
-        {
-            below.push_back(static_cast<int>(i));
-        }
-    }
-    return below;
+    std::erase_if(targets, [&](const Target<Dim>& target) { return !meet<Dim>(swept, target.surroundings); });
+    return targets;
 }
 
 /// Cuts the force of an axle where the block changes that it meets, so that each block has its share.
@@ -137,7 +181,11 @@ class Cutting
 {
 public:
     Cutting(const Assembly<Dim>& ofBlocks, const SpreadAxle<Dim>& ofForce, Choice which)
-        : assembly(ofBlocks), axle(ofForce), choice(which), below(blocksBelow(ofBlocks, ofForce))
+        : assembly(ofBlocks),
+          axle(ofForce),
+          choice(which),
+          tolerance(widthOfAJoint(ofBlocks)),
+          below(targetsBelow(ofBlocks, ofForce, tolerance))
     {
     }
 
@@ -145,16 +193,16 @@ public:
     {
         if constexpr (Dim == 2)
         {
-            addStrip(0, 1);
+            addStrip(0, 1, cutsOf(0));
         }
         else
         {
             double low = -1;
-            std::vector<int> atLow = blocksOf(cutsOf(low));
+            std::vector<Cut> atLow = cutsOf(low);
             for (int i = 1; i <= strips; ++i)
             {
                 const double high = 2.0 * i / strips - 1;
-                std::vector<int> atHigh = blocksOf(cutsOf(high));
+                std::vector<Cut> atHigh = cutsOf(high);
                 addStrips(low, atLow, high, atHigh, mostHalvingsOfStrips);
                 low = high;
                 atLow = std::move(atHigh);
@@ -166,10 +214,12 @@ public:
 private:
     /// Rays along a strip, and the least of a block; strips; and how often what is between two is halved.
     static constexpr int parts = Dim == 2 ? 100 : 24;
-    static constexpr int leastOfABlock = Dim == 2 ? 20 : 1;
+    static constexpr int leastOfABlock = 20;
     static constexpr int strips = 24;
     static constexpr int mostHalvings = 30;
     static constexpr int mostHalvingsOfStrips = 16;
+    /// By which borders may bend within a strip, of the square of side 2 that u and v are in.
+    static constexpr double leastArea = 1e-5;
 
     /// From where to where along a strip a block is met, or none (-1).
     struct Cut
@@ -182,7 +232,7 @@ private:
     Ray<Dim> landed(double u, double v) const
     {
         Ray<Dim> ray = axle.ray(u, v);
-        ray.landing = landingOf<Dim>(assembly, below, ray.from, ray.direction);
+        ray.landing = landingOf<Dim>(assembly, below, tolerance, ray.from, ray.direction);
         return ray;
     }
 
@@ -218,35 +268,46 @@ private:
         addCuts(v, high, halvings - 1, cuts);
     }
 
-    static std::vector<int> blocksOf(const std::vector<Cut>& cuts)
+    /// Whether the same blocks are met at both sides of a strip and in its middle, with borders that are
+    /// straight in between, so that its middle stands for all of it.
+    static bool areStraight(const std::vector<Cut>& atLow, const std::vector<Cut>& between,
+                            const std::vector<Cut>& atHigh, double width)
     {
-        std::vector<int> blocks;
-        for (const Cut& cut : cuts)
+        if (atLow.size() != between.size() || atHigh.size() != between.size())
         {
-            blocks.push_back(cut.block);
+            return false;
         }
-        return blocks;
+        double bent = 0;
+        for (std::size_t i = 0; i < between.size(); ++i)
+        {
+            if (atLow[i].block != between[i].block || atHigh[i].block != between[i].block)
+            {
+                return false;
+            }
+            bent += std::abs(atLow[i].begin + atHigh[i].begin - 2 * between[i].begin);
+        }
+        return bent * width <= leastArea;
     }
 
-    /// Strips between two, finer where the blocks that they meet change.
-    void addStrips(double low, const std::vector<int>& atLow, double high, const std::vector<int>& atHigh,
+    /// Strips between two, finer where the blocks that they meet change, or their borders bend.
+    void addStrips(double low, const std::vector<Cut>& atLow, double high, const std::vector<Cut>& atHigh,
                    int halvings)
     {
         const double middle = (low + high) / 2;
-        if (atLow == atHigh || halvings == 0)
+        const std::vector<Cut> between = cutsOf(middle);
+        if (halvings == 0 || areStraight(atLow, between, atHigh, high - low))
         {
-            addStrip(middle, (high - low) / 2);
+            addStrip(middle, (high - low) / 2, between);
             return;
         }
-        const std::vector<int> between = blocksOf(cutsOf(middle));
         addStrips(low, atLow, middle, between, halvings - 1);
         addStrips(middle, between, high, atHigh, halvings - 1);
     }
 
     /// \param share of the force
-    void addStrip(double v, double share)
+    void addStrip(double v, double share, const std::vector<Cut>& cuts)
     {
-        for (const Cut& cut : cutsOf(v))
+        for (const Cut& cut : cuts)
         {
             const double length = cut.end - cut.begin;
             const int count = std::max(leastOfABlock, static_cast<int>(std::ceil(length / 2 * parts - 1e-9)));
@@ -261,7 +322,8 @@ private:
     const Assembly<Dim>& assembly;
     const SpreadAxle<Dim>& axle;
     Choice choice;
-    std::vector<int> below;
+    double tolerance; ///< the width of a joint [m]
+    std::vector<Target<Dim>> below;
     std::vector<Ray<Dim>> found;
 };
 
@@ -277,9 +339,13 @@ int carrierOf(const Landing& landing, Choice choice)
 template<int Dim>
 Landing landingOf(const Assembly<Dim>& assembly, const Vector<Dim>& from, const Vector<Dim>& direction)
 {
-    std::vector<int> all(assembly.blocks.size());
-    std::iota(all.begin(), all.end(), 0);
-    return landingOf<Dim>(assembly, all, from, direction);
+    const double tolerance = widthOfAJoint(assembly);
+    std::vector<Target<Dim>> all;
+    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
+    {
+        all.push_back(targetOf<Dim>(assembly, static_cast<int>(i), tolerance));
+    }
+    return landingOf<Dim>(assembly, all, tolerance, from, direction);
 }
 
 template<int Dim>

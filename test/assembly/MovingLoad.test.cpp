@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <utility>
 
 using namespace drystone;
@@ -179,6 +180,54 @@ TEST(MovingLoad, SpreadsToBothSidesInSpace)
     const double across = 1.3 + 2 * 0.5 * 2;
     const LoadPosition<3> beside = movingLoad(slab, settings).front();
     EXPECT_NEAR(beside.live[2] + beside.live[8], -10 * (across / 2 + 0.4) / across, 10 * width);
+}
+
+TEST(MovingLoad, InSpaceActsWhereItMeetsTheFacesOfANarrowBlock)
+{
+    // A ridge that bears a sixteenth of the load, on its top from x = 0 to 1 and on its side at x = 1. Rays
+    // are at 6 + 10 u at its top and come to the side where u is from -1/2 to -10/21.
+    Assembly<3> ridge;
+    ridge.blocks.resize(1);
+    ridge.blocks[0].shape = makeBox({0, -30, 0}, {1, 30, 1});
+    MovingLoadSettings<3> settings;
+    settings.from = {6, 0, 21};
+    settings.to = {7, 0, 21};
+    settings.positions = 2;
+    settings.value = {0, 0, -10};
+    settings.spread = 0.5;
+    const std::vector<LoadPosition<3>> positions = movingLoad(ridge, settings);
+    ASSERT_EQ(positions.size(), 2u);
+    const double top = 0.1 / 2;
+    const double side = (0.5 - 10.0 / 21) / 2;
+    const Eigen::VectorXd& live = positions[0].live;
+    EXPECT_NEAR(live[2], -10 * (top + side), 1e-4);
+    EXPECT_NEAR(live[4], 10 * side * 0.5, 2e-3); // about y; what bears on the top is in its middle
+}
+
+TEST(MovingLoad, InSpaceSharesAreRightWhereAPathIsAskewToEdges)
+{
+    // The load is spread over a square of side 2, with u along the path and v across it. The corner of a slab
+    // is at (p q) there, and its edges go from it to u = -1 and to v = 1.
+    Assembly<3> slab;
+    slab.blocks.resize(1);
+    slab.blocks[0].shape = makeBox({-9, -9, 0}, {0, 0, 1});
+    const double p = 0.35;
+    const double q = -0.2;
+    for (const double askew : {0.0, 0.01, 0.047, 0.3, 0.5})
+    {
+        const Vector<3> along(std::cos(askew), std::sin(askew), 0);
+        const Vector<3> across(std::sin(askew), -std::cos(askew), 0);
+        MovingLoadSettings<3> settings;
+        settings.from = Vector<3>(0, 0, 3) - p * along - q * across;
+        settings.to = settings.from + along;
+        settings.positions = 2;
+        settings.value = {0, 0, -10};
+        settings.spread = 0.5;
+        const double slope = std::tan(askew);
+        const Polygon loaded{{p, q}, {p - slope * (1 - q), 1}, {-1, 1}, {-1, q - slope * (p + 1)}};
+        EXPECT_NEAR(movingLoad(slab, settings).front().live[2], -10 * areaProperties(loaded).area / 4, 1e-4)
+            << askew;
+    }
 }
 
 TEST(MovingLoad, OfALoadedLengthAloneDoesNotWiden)
