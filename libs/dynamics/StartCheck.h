@@ -40,6 +40,10 @@ template<int Dim>
 void questionSpeeds(const Assembly<Dim>& assembly, const InitialState<Dim>& start,
                     const TimeControls& controls);
 
+/// Warns of a block beside one so heavy that what it weighs is in the tolerance of the solver: it hovers.
+template<int Dim>
+void questionMasses(const DynamicCase<Dim>& scene);
+
 /// Warns of coordinates so large that gaps between blocks are rounding: of maps, say.
 template<int Dim>
 void questionDigits(const DynamicCase<Dim>& scene);

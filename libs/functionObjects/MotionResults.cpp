@@ -100,6 +100,7 @@ Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const Dy
                             Time& time)
 {
     questionDigits(scene);
+    questionMasses(scene);
     const std::string startName = time.startName();
     const std::filesystem::path file = caseDirectory / startName / "state";
     if (!std::filesystem::exists(file))

@@ -607,6 +607,25 @@ class RunControl(CaseTest):
             box = self.runApplication("checkBlocks", case).stdout
             self.assertIn("Bounding box of the free blocks (5000000 0) (5000000.42 1.5)" if warns else "Bounding", box)
 
+    def testABlockThatIsTooLightForTheToleranceIsWarnedOf(self):
+        """It hovered, tilted, beside one of 30 m."""
+        for size, tolerance, warns in (("3", "1e-9", False), ("30", "1e-9", True), ("30", "1e-11", False)):
+            case = self.copy(f"light{size}.{tolerance}")
+            self.write(case, "system/blockTextureDict", header % "blockTextureDict" + f"""
+dimensions 2;
+texture
+{{
+    type polygons;
+    thickness 1;
+    blocks (((-4 -1) (40 -1) (40 0) (-4 0)) ((0 0) (0.01 0) (0.01 0.03) (0 0.03)) ((1 0) (32 0) (32 {size}) (1 {size})));
+}}
+supports {{ ground {{ type blocks; blocks (0); }} }}
+""")
+            self.write(case, "system/solution", header % "solution" + f"contactDynamics {{ tolerance {tolerance}; }}\n")
+            self.runApplication("blockTexture", case)
+            self.assertEqual(bool(re.search(r"Block 1 has a mass of .* block 2 is .* times as heavy",
+                                            self.run_(case, "-dry-run").stderr)), warns, size)
+
     def testATimeWithoutAStartIsNamedWithItsLine(self):
         case = self.copy("noStart", startFrom="startTime", startTime="0.3")
         self.assertRegex(self.run_(case, status=1).stderr,
