@@ -112,7 +112,7 @@ void declare(Options& options, MaterialProperties& material)
 template<int Dim>
 void declare(Options& options, Gravity<Dim>& gravity)
 {
-    options.readElsewhere({"dimensions"}, "[0 1 -2 0 0 0 0]");
+    options.readElsewhere({"dimensions"}, "those of an acceleration, as OpenFOAM has them: [0 1 -2 0 0 0 0]");
     options.required("value", gravity.value, "acceleration of gravity")
         .unit("m/s2")
         .example(Dim == 2 ? "(0 -9.81 0)" : "(0 0 -9.81)");

@@ -61,6 +61,12 @@ long repetitions(const std::string& pattern)
 std::function<bool(const std::string&)> patternMatcher(const std::string& pattern,
                                                        const SourceLocation& location)
 {
+    if (pattern.empty())
+    {
+        throw FatalIOError(
+            "There is nothing between the quotes: a name, or a regular expression, is wanted here.",
+            location);
+    }
     if (pattern.size() > longestPattern || repetitions(pattern) > mostRepetitions)
     {
         throw FatalIOError(

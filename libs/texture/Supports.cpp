@@ -167,6 +167,11 @@ SupportMaker<Dim> makeFixedBlocks(const FixedBlocks& fixed, const Dictionary& di
     {
         const int support = static_cast<int>(assembly.supports.size());
         const int count = static_cast<int>(assembly.blocks.size());
+        if (fixed.blocks.empty())
+        {
+            printWarningOnce(
+                fmt::format("The support {} holds no block: name some, as `blocks (0 1);`.", name), place);
+        }
         assembly.supports.push_back({name, "blocks"});
         for (const int index : fixed.blocks)
         {

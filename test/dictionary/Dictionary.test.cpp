@@ -476,6 +476,8 @@ TEST(Dictionary, BrokenTextIsNamedWithItsLineAndRepair)
     EXPECT_THAT(reportOfReading("= 1;"), HasSubstr("Unexpected `=`"));
     EXPECT_THAT(reportOfReading("$ 1;"), HasSubstr("followed by the name"));
     EXPECT_THAT(reportOfReading("\"(\" 1;"), HasSubstr("is not a regular expression"));
+    EXPECT_THAT(reportOfReading("a 1;\n\"\" { b 1; }"),
+                AllOf(HasSubstr("nothing between the quotes"), HasSubstr("at line 2.")));
     EXPECT_THAT(reportOfReading(std::string("a 1;\nb \0 2;", 10)),
                 AllOf(HasSubstr("not a text file"), HasSubstr("at line 2.")));
     EXPECT_THAT(reportOfReading("\x7f"

@@ -76,6 +76,14 @@ TEST(BlockTextureDict, SegmentAndMarginAreInUnitsAndASegmentIsOptional)
     EXPECT_EQ(structure(bond + "}").supports.size(), 0U);
 }
 
+TEST(BlockTextureDict, ASupportOfNoBlockIsWarnedOf)
+{
+    testing::internal::CaptureStderr();
+    structure(bond + "} supports {\nfeet { type blocks;\nblocks (); } }");
+    EXPECT_THAT(testing::internal::GetCapturedStderr(),
+                AllOf(HasSubstr("The support feet holds no block"), HasSubstr("feet/blocks at line 3.")));
+}
+
 TEST(BlockTextureDict, BlocksAreFixedByIndex)
 {
     const Assembly<2> assembly =
