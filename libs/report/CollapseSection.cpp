@@ -112,7 +112,8 @@ std::string verdict(const LimitAnalysis& answer)
     case CollapseStatus::unbounded:
         return "unbounded: no load of this direction makes it collapse";
     case CollapseStatus::upperBound:
-        return "no collapse by Coulomb's law was found: alpha is no larger in size than that of the associative "
+        return "no collapse by Coulomb's law was found: alpha is no larger in size than that of the "
+               "associative "
                "law, which may be infinite, as the log says";
     case CollapseStatus::notConverged:
         break;
