@@ -408,12 +408,8 @@ void MovingContacts<2>::dropDeeper()
     }
 }
 
-void MovingContacts<2>::findPoints(int block, int neighbour, double margin)
+bool MovingContacts<2>::pairEdges(int block, int neighbour, double lowest, double margin)
 {
-    candidates.clear();
-    pairBlock = block;
-    pairNeighbour = neighbour;
-    const double lowest = -std::min(deepest[block], deepest[neighbour]);
     bool anyOblique = false;
     const Vector<2>* const tangent = placedAhead->tangent.data();
     const int endOfBlock = first[block + 1];
@@ -443,7 +439,55 @@ void MovingContacts<2>::findPoints(int block, int neighbour, double margin)
             }
         }
     }
-    if (anyOblique)
+    return anyOblique;
+}
+
+void MovingContacts<2>::sortCandidates()
+{
+    std::sort(candidates.begin(), candidates.end(),
+              [](const Candidate& a, const Candidate& b)
+              {
+                  return std::tuple(a.blockEdge(), a.neighbourEdge(), a.owner, a.corner)
+                         < std::tuple(b.blockEdge(), b.neighbourEdge(), b.owner, b.corner);
+              });
+}
+
+void MovingContacts<2>::addFound()
+{
+    static const ContactPoint<2> blank;
+    int lastBlockEdge = -1;
+    int lastNeighbourEdge = -1;
+    for (const Candidate& candidate : candidates)
+    {
+        if (candidate.blockEdge() != lastBlockEdge || candidate.neighbourEdge() != lastNeighbourEdge)
+        {
+            lastBlockEdge = candidate.blockEdge();
+            lastNeighbourEdge = candidate.neighbourEdge();
+            ++joints;
+        }
+        const bool cornerIsTheBlocks = candidate.owner == 0;
+        cornerAndEdge.emplace_back(candidate.corner, candidate.edge);
+        found.push_back(blank); // emplaced, it would be cleared twice
+        ContactPoint<2>& point = found.back();
+        point.block = pairBlock;
+        point.neighbour = pairNeighbour;
+        point.joint = joints - 1;
+        point.position = placedNow.corner[candidate.corner];
+        const Vector<2> normal = outwardNormal(placedNow.tangent[candidate.edge]);
+        point.normal = cornerIsTheBlocks ? normal : Vector<2>(-normal);
+        point.gap = candidate.gap;
+        point.feature = {cornerIsTheBlocks ? pairBlock : pairNeighbour, vertex[candidate.corner],
+                         vertex[candidate.edge]};
+    }
+}
+
+void MovingContacts<2>::findPoints(int block, int neighbour, double margin)
+{
+    candidates.clear();
+    pairBlock = block;
+    pairNeighbour = neighbour;
+    const double lowest = -std::min(deepest[block], deepest[neighbour]);
+    if (pairEdges(block, neighbour, lowest, margin))
     {
         standCorners(0, block, neighbour, lowest, margin);
         standCorners(1, neighbour, block, lowest, margin);
@@ -455,44 +499,9 @@ void MovingContacts<2>::findPoints(int block, int neighbour, double margin)
     if (candidates.size() > 1)
     {
         dropDeeper();
-        std::sort(candidates.begin(), candidates.end(),
-                  [](const Candidate& a, const Candidate& b)
-                  {
-                      const int blockEdgeA = a.owner == 0 ? a.pairedEdge : a.edge;
-                      const int blockEdgeB = b.owner == 0 ? b.pairedEdge : b.edge;
-                      const int neighbourEdgeA = a.owner == 0 ? a.edge : a.pairedEdge;
-                      const int neighbourEdgeB = b.owner == 0 ? b.edge : b.pairedEdge;
-                      return std::tie(blockEdgeA, neighbourEdgeA, a.owner, a.corner)
-                             < std::tie(blockEdgeB, neighbourEdgeB, b.owner, b.corner);
-                  });
+        sortCandidates();
     }
-    static const ContactPoint<2> blank;
-    int lastBlockEdge = -1;
-    int lastNeighbourEdge = -1;
-    for (const Candidate& candidate : candidates)
-    {
-        const bool cornerIsTheBlocks = candidate.owner == 0;
-        const int blockEdge = cornerIsTheBlocks ? candidate.pairedEdge : candidate.edge;
-        const int neighbourEdge = cornerIsTheBlocks ? candidate.edge : candidate.pairedEdge;
-        if (blockEdge != lastBlockEdge || neighbourEdge != lastNeighbourEdge)
-        {
-            lastBlockEdge = blockEdge;
-            lastNeighbourEdge = neighbourEdge;
-            ++joints;
-        }
-        cornerAndEdge.emplace_back(candidate.corner, candidate.edge);
-        found.push_back(blank); // emplaced, it would be cleared twice
-        ContactPoint<2>& point = found.back();
-        point.block = block;
-        point.neighbour = neighbour;
-        point.joint = joints - 1;
-        point.position = placedNow.corner[candidate.corner];
-        const Vector<2> normal = outwardNormal(placedNow.tangent[candidate.edge]);
-        point.normal = cornerIsTheBlocks ? normal : Vector<2>(-normal);
-        point.gap = candidate.gap;
-        point.feature = {cornerIsTheBlocks ? block : neighbour, vertex[candidate.corner],
-                         vertex[candidate.edge]};
-    }
+    addFound();
 }
 
 } // namespace drystone

@@ -156,6 +156,9 @@ private:
         double opposing; ///< cosine of the angle between these edges
         double gap;      ///< now [m]
         double gapAhead; ///< [m]
+
+        int blockEdge() const { return owner == 0 ? pairedEdge : edge; }
+        int neighbourEdge() const { return owner == 0 ? edge : pairedEdge; }
     };
 
     /// The lines that can part the blocks near two corners: up to two edges at each of them.
@@ -175,12 +178,16 @@ private:
     Polygon outlineOf(const Outlines& outlines, int block) const;
     void findPoints(int block, int neighbour, double margin);
     // The choice of features.
+    /// \return whether some edges face each other that are no faces of one joint
+    bool pairEdges(int block, int neighbour, double lowest, double margin);
     void matchEdges(int blockEdge, int neighbourEdge, double lowest, double margin);
     void standCorners(int owner, int cornerBlock, int edgeBlock, double lowest, double margin);
     void guardCorners(double margin);
     void offer(const Candidate& candidate, double lowest, double margin);
     void list(const Candidate& candidate);
     void dropDeeper();
+    void sortCandidates();
+    void addFound();
     // What it asks.
     bool mayMeet(int blockEdge, int neighbourEdge, double lowest, double margin) const;
     Candidate measured(int owner, int corner, int edge, int pairedEdge) const;
