@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <stdexcept>
@@ -32,9 +33,13 @@ void declare(Options& options, DistributionSettings& settings)
     options.optional("fractiles", settings.fractiles, "parts of the samples").above(0).below(1);
 }
 
-/// Mean and standard deviation.
+/// Mean and standard deviation. Rounding of the mean of equal values is no deviation.
 std::pair<double, double> moments(const std::vector<double>& values)
 {
+    if (std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) == values.end())
+    {
+        return {values.front(), 0};
+    }
     double mean = 0;
     for (const double value : values)
     {
