@@ -268,6 +268,18 @@ std::string faultOf(const std::vector<Choice>& values)
     return values.empty() ? "The list is empty." : "";
 }
 
+/// Empty, or that some values are words and some are numbers, as where one of these is mistyped.
+std::string doubtAbout(const std::vector<Choice>& values)
+{
+    const auto isWord = [](const Choice& choice) { return std::isnan(choice.value.number); };
+    const auto word = std::find_if(values.begin(), values.end(), isWord);
+    return word == values.end() || std::all_of(values.begin(), values.end(), isWord)
+               ? ""
+               : fmt::format("`{}` is a word among numbers: samples that have it fail where the entry takes "
+                             "numbers alone. Usual are values of one kind.",
+                             word->value.text);
+}
+
 std::string textOf(const Choice& choice)
 {
     return choice.value.text;
@@ -282,6 +294,7 @@ void declare(Options& options, ListSettings& settings)
     options.required("values", settings.values, "numbers or words, each as likely as the others")
         .example("(0.1 0.2 0.4)");
     options.check("values", [&settings] { return faultOf(settings.values); });
+    options.question("values", [&settings] { return doubtAbout(settings.values); });
 }
 
 Distribution chosenFrom(const std::vector<Choice>& values, std::vector<double> weights)
@@ -317,6 +330,7 @@ void declare(Options& options, DiscreteSettings& settings)
 {
     options.required("values", settings.values, "numbers or words").example("(0.5 0.6 0.7)");
     options.check("values", [&settings] { return faultOf(settings.values); });
+    options.question("values", [&settings] { return doubtAbout(settings.values); });
     options.required("weights", settings.weights, "of the values; their sum does not matter")
         .above(0)
         .example("(1 2 1)");

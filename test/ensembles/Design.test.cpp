@@ -162,6 +162,21 @@ TEST(Distribution, ChoosesValuesByTheirWeights)
     EXPECT_THROW(distributionOf("type list; values ();"), FatalIOError);
 }
 
+TEST(Distribution, QuestionsWordsAmongNumbers)
+{
+    const auto warningOf = [](const std::string& text)
+    {
+        testing::internal::CaptureStderr();
+        distributionOf(text);
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_THAT(warningOf("type list;\nvalues (0.3 \"0,4\" 0.5);"),
+                testing::AllOf(HasSubstr("`0,4` is a word among numbers"), HasSubstr("values at line 2.")));
+    EXPECT_THAT(warningOf("type discrete; values (O.1 2); weights (1 1);"), HasSubstr("`O.1` is a word"));
+    EXPECT_EQ(warningOf("type list; values (a.AT2 b.AT2);"), "");
+    EXPECT_EQ(warningOf("type list; values (0.3 -4e-1 0.5);"), "");
+}
+
 TEST(Sobol, FillsEachOfThePartsOfEachDimensionOnce)
 {
     for (int dimension = 0; dimension < sobolDimensions; ++dimension)
