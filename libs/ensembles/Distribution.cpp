@@ -166,8 +166,36 @@ void declare(Options& options, BetaSettings& settings)
 {
     options.required("alpha", settings.alpha, "first shape parameter").above(0).example("2");
     options.required("beta", settings.beta, "second shape parameter").above(0).example("3");
+    options.check(
+        "alpha",
+        [&settings]
+        {
+            const double mean = settings.alpha / (settings.alpha + settings.beta);
+            return std::isfinite(gsl_cdf_beta_P(mean, settings.alpha, settings.beta))
+                       ? ""
+                       : "The distribution is too narrow for its probabilities: take `type normal;` "
+                         "with its mean and standard deviation.";
+        });
     declare(options, settings.range);
 }
+/// By bisection, to the last bit: GSL's inverse ends the process where the distribution is narrow, or nearly
+/// all at its ends.
+double betaQuantile(double probability, double alpha, double beta)
+{
+    const auto isBelow = [=](double value)
+    {
+        return probability < 0.5 ? gsl_cdf_beta_P(value, alpha, beta) < probability
+                                 : gsl_cdf_beta_Q(value, alpha, beta) > 1 - probability;
+    };
+    double low = 0;
+    double high = 1;
+    for (double middle = 0.5; low < middle && middle < high; middle = low + (high - low) / 2)
+    {
+        (isBelow(middle) ? low : high) = middle;
+    }
+    return high;
+}
+
 Distribution makeBeta(const BetaSettings& settings)
 {
     Distribution made;
@@ -177,7 +205,7 @@ Distribution makeBeta(const BetaSettings& settings)
     {
         return settings.range.minimum
                + (settings.range.maximum - settings.range.minimum)
-                     * gsl_cdf_beta_Pinv(at, settings.alpha, settings.beta);
+                     * betaQuantile(at, settings.alpha, settings.beta);
     };
     return made;
 }
