@@ -178,8 +178,8 @@ void declare(Options& options, BetaSettings& settings)
         });
     declare(options, settings.range);
 }
-/// By bisection, to the last bit: GSL's inverse ends the process where the distribution is narrow, or nearly
-/// all at its ends.
+/// Without GSL's inverse, which does not converge where the distribution is narrow, or nearly all at its
+/// ends.
 double betaQuantile(double probability, double alpha, double beta)
 {
     const auto isBelow = [=](double value)
@@ -187,13 +187,7 @@ double betaQuantile(double probability, double alpha, double beta)
         return probability < 0.5 ? gsl_cdf_beta_P(value, alpha, beta) < probability
                                  : gsl_cdf_beta_Q(value, alpha, beta) > 1 - probability;
     };
-    double low = 0;
-    double high = 1;
-    for (double middle = 0.5; low < middle && middle < high; middle = low + (high - low) / 2)
-    {
-        (isBelow(middle) ? low : high) = middle;
-    }
-    return high;
+    return bisected(0, 1, isBelow);
 }
 
 Distribution makeBeta(const BetaSettings& settings)
@@ -453,6 +447,16 @@ SampleValue valueAt(const Distribution& distribution, double probability)
     const auto chosen =
         std::upper_bound(distribution.cumulative.begin(), distribution.cumulative.end() - 1, probability);
     return distribution.choices[static_cast<std::size_t>(chosen - distribution.cumulative.begin())];
+}
+
+double bisected(double low, double high, const std::function<bool(double)>& isBelow)
+{
+    for (double middle = low + (high - low) / 2; low < middle && middle < high;
+         middle = low + (high - low) / 2)
+    {
+        (isBelow(middle) ? low : high) = middle;
+    }
+    return high;
 }
 
 double normalQuantile(double probability)

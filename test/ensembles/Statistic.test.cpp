@@ -324,6 +324,23 @@ TEST(DistributionStatistic, HasMomentsAndFractiles)
                 11 * values[2], 1e-9);
 }
 
+TEST(DistributionStatistic, HasTheIntervalOfTheDeviationForAnyNumberOfSamples)
+{
+    // For 2320 degrees of freedom GSL's inverse of the chi-squared distribution does not converge.
+    std::vector<double> values;
+    for (int i = 0; i < 2321; ++i)
+    {
+        values.push_back(std::exp(std::sin(i)));
+    }
+    const StatisticRow beta =
+        rowOf(evaluated("type distribution; value y;", tableOf(values, values)), "lognormalBeta");
+    // Wilson and Hilferty's approximation of the fractiles.
+    const auto fractileOf = [](double z)
+    { return 2320 * std::pow(1 - 2 / (9 * 2320.0) + z * std::sqrt(2 / (9 * 2320.0)), 3); };
+    EXPECT_NEAR(beta.lower / beta.value, std::sqrt(2320 / fractileOf(1.959963984540054)), 1e-6);
+    EXPECT_NEAR(beta.upper / beta.value, std::sqrt(2320 / fractileOf(-1.959963984540054)), 1e-6);
+}
+
 TEST(DistributionStatistic, OfOneValueHasNoDeviation)
 {
     // 0.1 has a mean that differs from it by rounding, which is no scatter.
