@@ -166,8 +166,30 @@ void declare(Options& options, BetaSettings& settings)
 {
     options.required("alpha", settings.alpha, "first shape parameter").above(0).example("2");
     options.required("beta", settings.beta, "second shape parameter").above(0).example("3");
+    options.check(
+        "alpha",
+        [&settings]
+        {
+            const double mean = settings.alpha / (settings.alpha + settings.beta);
+            return std::isfinite(gsl_cdf_beta_P(mean, settings.alpha, settings.beta))
+                       ? ""
+                       : "The distribution is too narrow for its probabilities: take `type normal;` "
+                         "with its mean and standard deviation.";
+        });
     declare(options, settings.range);
 }
+/// Without GSL's inverse, which does not converge where the distribution is narrow, or nearly all at its
+/// ends.
+double betaQuantile(double probability, double alpha, double beta)
+{
+    const auto isBelow = [=](double value)
+    {
+        return probability < 0.5 ? gsl_cdf_beta_P(value, alpha, beta) < probability
+                                 : gsl_cdf_beta_Q(value, alpha, beta) > 1 - probability;
+    };
+    return bisected(0, 1, isBelow);
+}
+
 Distribution makeBeta(const BetaSettings& settings)
 {
     Distribution made;
@@ -177,7 +199,7 @@ Distribution makeBeta(const BetaSettings& settings)
     {
         return settings.range.minimum
                + (settings.range.maximum - settings.range.minimum)
-                     * gsl_cdf_beta_Pinv(at, settings.alpha, settings.beta);
+                     * betaQuantile(at, settings.alpha, settings.beta);
     };
     return made;
 }
@@ -268,15 +290,25 @@ std::string faultOf(const std::vector<Choice>& values)
     return values.empty() ? "The list is empty." : "";
 }
 
+<<<<<<< HEAD
 /// Empty, or that one of the values is a word among numbers: more often than not a number with a typing
 /// error.
+=======
+/// Empty, or that some values are words and some are numbers, as where one of these is mistyped.
+>>>>>>> 204a58085a9c46f8cb217f18e242feaf195845c6
 std::string doubtAbout(const std::vector<Choice>& values)
 {
     const auto isWord = [](const Choice& choice) { return std::isnan(choice.value.number); };
     const auto word = std::find_if(values.begin(), values.end(), isWord);
     return word == values.end() || std::all_of(values.begin(), values.end(), isWord)
                ? ""
+<<<<<<< HEAD
                : fmt::format("`{}` is a word among numbers. It is used as it stands.", word->value.text);
+=======
+               : fmt::format("`{}` is a word among numbers: samples that have it fail where the entry takes "
+                             "numbers alone. Usual are values of one kind.",
+                             word->value.text);
+>>>>>>> 204a58085a9c46f8cb217f18e242feaf195845c6
 }
 
 std::string textOf(const Choice& choice)
@@ -424,6 +456,16 @@ SampleValue valueAt(const Distribution& distribution, double probability)
     const auto chosen =
         std::upper_bound(distribution.cumulative.begin(), distribution.cumulative.end() - 1, probability);
     return distribution.choices[static_cast<std::size_t>(chosen - distribution.cumulative.begin())];
+}
+
+double bisected(double low, double high, const std::function<bool(double)>& isBelow)
+{
+    for (double middle = low + (high - low) / 2; low < middle && middle < high;
+         middle = low + (high - low) / 2)
+    {
+        (isBelow(middle) ? low : high) = middle;
+    }
+    return high;
 }
 
 double normalQuantile(double probability)

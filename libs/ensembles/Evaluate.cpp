@@ -44,18 +44,44 @@ bool isCount(const std::string& word)
            && std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+/// A second value would hide the first one.
+void takeValue(const std::string& name, const std::string& text, const SourceLocation& place,
+               std::map<std::string, SampleValue>& values)
+{
+    if (!values.try_emplace(name, valueOfText(text)).second)
+    {
+        throw FatalIOError(fmt::format("There are two values of {}: remove one.", name), place);
+    }
+}
+
+/// The words of a line that is not empty.
+struct ParameterLine
+{
+    std::vector<std::string> words;
+    int number = 0; ///< in the file, from 1
+};
+
 /// Lines with two words each. \param valueFirst `value name`, else `name value`
-void takePairs(const std::vector<std::vector<std::string>>& lines, std::size_t begin, std::size_t count,
-               bool valueFirst, const fs::path& file, std::map<std::string, SampleValue>& values)
+void takePairs(const std::vector<ParameterLine>& lines, std::size_t begin, std::size_t count, bool valueFirst,
+               const fs::path& file, std::map<std::string, SampleValue>& values)
 {
     for (std::size_t i = begin; i < begin + count; ++i)
     {
-        if (i >= lines.size() || lines[i].size() < 2)
+        if (i >= lines.size() || lines[i].words.size() < 2)
         {
+            const int number = i < lines.size() ? lines[i].number : lines.back().number + 1;
             throw FatalIOError(fmt::format("{} variables are announced, and there are {}.", count, i - begin),
-                               {file.string(), "", static_cast<int>(i) + 1});
+                               {file.string(), "", number});
         }
-        values[lines[i][valueFirst ? 1 : 0]] = valueOfText(lines[i][valueFirst ? 0 : 1]);
+        const auto& [words, number] = lines[i];
+        const SourceLocation place{file.string(), "", number};
+        if (words.size() > 2)
+        {
+            throw FatalIOError(fmt::format("A variable has one value here, and its name: remove `{}`.",
+                                           fmt::join(words.begin() + 2, words.end(), " ")),
+                               place);
+        }
+        takeValue(words[valueFirst ? 1 : 0], words[valueFirst ? 0 : 1], place, values);
     }
 }
 
@@ -68,34 +94,37 @@ std::map<std::string, SampleValue> readParameters(const fs::path& file)
     {
         throw FatalIOError("The file of the parameters cannot be read.", {file.string(), "", 0});
     }
-    std::vector<std::vector<std::string>> lines;
+    std::vector<ParameterLine> lines;
+    int number = 0;
     for (std::string line; std::getline(stream, line);)
     {
+        ++number;
         if (std::vector<std::string> words = wordsOf(line); !words.empty())
         {
-            lines.push_back(std::move(words));
+            lines.push_back({std::move(words), number});
         }
     }
     std::map<std::string, SampleValue> values;
-    const bool isAprepro = !lines.empty() && lines.front().front().starts_with("{");
+    const bool isAprepro = !lines.empty() && lines.front().words.front().starts_with("{");
     if (isAprepro)
     {
-        for (const std::vector<std::string>& words : lines)
+        for (const auto& [words, at] : lines)
         {
             if (words.size() == 5 && words[0] == "{" && words[2] == "=" && !words[1].starts_with("DAKOTA_")
                 && !words[1].starts_with("ASV_") && !words[1].starts_with("DVV_")
                 && !words[1].starts_with("AC_"))
             {
-                values[words[1]] = valueOfText(words[3]);
+                takeValue(words[1], words[3], {file.string(), "", at}, values);
             }
         }
         return values;
     }
-    if (!lines.empty() && isCount(lines.front().front()))
+    if (!lines.empty() && isCount(lines.front().words.front()))
     {
-        const auto count = static_cast<std::size_t>(std::stoul(lines.front().front().substr(0, 9)));
-        const bool isDakota = lines.front().size() == 2 && lines.front()[1] == "variables";
-        if (isDakota || lines.front().size() == 1)
+        const std::vector<std::string>& words = lines.front().words;
+        const auto count = static_cast<std::size_t>(std::stoul(words.front().substr(0, 9)));
+        const bool isDakota = words.size() == 2 && words[1] == "variables";
+        if (isDakota || words.size() == 1)
         {
             takePairs(lines, 1, count, isDakota, file, values);
             return values;

@@ -37,6 +37,14 @@ struct Indices
     double total = 0;
 };
 
+/// Whether there is a variance, which indices are parts of: without rounding, that has one of its own.
+bool hasScatter(const std::vector<std::vector<double>>& points, const std::vector<std::size_t>& chosen)
+{
+    const double one = points[chosen.front()][0];
+    return std::any_of(chosen.begin(), chosen.end(),
+                       [&](std::size_t point) { return points[point][0] != one || points[point][1] != one; });
+}
+
 /// \param points each with the values at A, at B, and at A with one variable after the other from B
 /// \param chosen which of the points, possibly several times
 std::vector<Indices> indicesOf(const std::vector<std::vector<double>>& points,
@@ -98,6 +106,7 @@ Points pointsOf(const std::vector<double>& values, const SampleTable& table)
 }
 
 /// The indices of points drawn again and again from those that there are: first and total, of each variable.
+/// Those drawn without scatter have none.
 struct Replicates
 {
     std::vector<std::vector<double>> first;
@@ -118,6 +127,10 @@ Replicates drawnAgain(const std::vector<std::vector<double>>& points, const Sens
                 static_cast<std::size_t>(uniform(static_cast<std::uint64_t>(settings.seed), Stream::bootstrap,
                                                  static_cast<std::uint32_t>(replicate), i)
                                          * static_cast<double>(points.size()));
+        }
+        if (!hasScatter(points, drawn))
+        {
+            continue;
         }
         const std::vector<Indices> indices = indicesOf(points, drawn);
         for (std::size_t k = 0; k < variables; ++k)
@@ -205,6 +218,13 @@ StatisticResult evaluateSensitivity(const SensitivitySettings& settings, const s
     }
     std::vector<std::size_t> all(points.size());
     std::iota(all.begin(), all.end(), 0);
+    if (!hasScatter(points, all))
+    {
+        result.remarks.push_back(
+            fmt::format("The value is {:g} in all samples: there is no scatter to share among variables",
+                        points.front().front()));
+        return result;
+    }
     const std::vector<Indices> indices = indicesOf(points, all);
     const Replicates replicates = drawnAgain(points, settings);
     for (std::size_t k = 0; k < indices.size(); ++k)

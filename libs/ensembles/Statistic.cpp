@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <stdexcept>
@@ -32,9 +33,13 @@ void declare(Options& options, DistributionSettings& settings)
     options.optional("fractiles", settings.fractiles, "parts of the samples").above(0).below(1);
 }
 
-/// Mean and standard deviation.
+/// Mean and standard deviation. Rounding of the mean of equal values is no deviation.
 std::pair<double, double> moments(const std::vector<double>& values)
 {
+    if (std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) == values.end())
+    {
+        return {values.front(), 0};
+    }
     double mean = 0;
     for (const double value : values)
     {
@@ -236,6 +241,13 @@ void addFractiles(const std::vector<double>& fractiles, const std::vector<double
     }
 }
 
+/// Without GSL's inverse, which does not converge for some degrees, as 2320.
+double chiSquaredQuantile(double probability, double degrees)
+{
+    const double high = 10 * degrees + 100; // far beyond any part that is asked for
+    return bisected(0, high, [=](double value) { return gsl_cdf_chisq_P(value, degrees) < probability; });
+}
+
 /// Median and beta of the lognormal distribution with the moments of the logarithms.
 void addLognormal(const std::vector<double>& positive, const Confidence& confidence, StatisticResult& result)
 {
@@ -251,8 +263,8 @@ void addLognormal(const std::vector<double>& positive, const Confidence& confide
     // Of normal logarithms (n - 1) s^2/sigma^2 is a chi-squared variable.
     const double degrees = confidence.degrees;
     result.rows.push_back({"lognormalBeta", beta, beta / std::sqrt(2 * degrees),
-                           beta * std::sqrt(degrees / gsl_cdf_chisq_Pinv(0.975, degrees)),
-                           beta * std::sqrt(degrees / gsl_cdf_chisq_Pinv(0.025, degrees))});
+                           beta * std::sqrt(degrees / chiSquaredQuantile(0.975, degrees)),
+                           beta * std::sqrt(degrees / chiSquaredQuantile(0.025, degrees))});
 }
 
 StatisticResult evaluateDistribution(const DistributionSettings& settings, const std::string& name,

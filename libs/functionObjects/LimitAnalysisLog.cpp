@@ -427,6 +427,7 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
             }
         }
         question(doubtsAboutCrushing(structure, result));
+        question(doubtsAboutLargeStrengths(structure.contact, result));
         const Certificate& certificate = result.certificate;
         info(
             "Certificate: primal residual = {:.3e}, dual residual = {:.3e}, gap = {:.3e}, No Iterations {}\n",

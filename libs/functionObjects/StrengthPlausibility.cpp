@@ -46,23 +46,33 @@ double borneBySupports(const LimitAnalysisCase<Dim>& structure)
     return sum;
 }
 
-/// The least crushing strength that constant/contactProperties gives, and the path of its entry.
-std::optional<std::pair<double, std::string>> leastCrushing(const ContactProperties& contact)
+/// A strength in constant/contactProperties, with the path of its entry.
+using GivenStrength = std::pair<double, std::string>;
+
+/// Those of one kind, of all joints and of some.
+std::vector<GivenStrength> strengthsOf(const ContactProperties& contact, const std::string& kind,
+                                       std::optional<JointStrength> ContactProperties::*ofAll,
+                                       std::optional<JointStrength> JointProperties::*ofSome)
 {
-    std::optional<std::pair<double, std::string>> least;
-    const auto take = [&least](const std::optional<JointStrength>& crushing, const std::string& path)
+    std::vector<GivenStrength> given;
+    const auto take = [&](const std::optional<JointStrength>& strength, const std::string& path)
     {
-        if (crushing && (!least || crushing->strength < least->first))
+        if (strength)
         {
-            least.emplace(crushing->strength, path + "crushing/strength");
+            given.emplace_back(strength->strength, path + kind + "/strength");
         }
     };
-    take(contact.crushing, "");
+    take(contact.*ofAll, "");
     for (const auto& [name, properties] : contact.joints)
     {
-        take(properties.crushing, "joints/" + name.text + "/");
+        take(properties.*ofSome, "joints/" + name.text + "/");
     }
-    return least;
+    return given;
+}
+
+std::vector<GivenStrength> crushingStrengths(const ContactProperties& contact)
+{
+    return strengthsOf(contact, "crushing", &ContactProperties::crushing, &JointProperties::crushing);
 }
 
 } // namespace
@@ -70,8 +80,9 @@ std::optional<std::pair<double, std::string>> leastCrushing(const ContactPropert
 template<int Dim>
 std::vector<Doubt> doubtsAboutCrushing(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
 {
-    const auto least = leastCrushing(structure.contact);
-    if (result.status != CollapseStatus::unstable || !least)
+    const std::vector<GivenStrength> given = crushingStrengths(structure.contact);
+    const auto least = std::min_element(given.begin(), given.end());
+    if (result.status != CollapseStatus::unstable || least == given.end())
     {
         return {};
     }
@@ -91,6 +102,35 @@ std::vector<Doubt> doubtsAboutCrushing(const LimitAnalysisCase<Dim>& structure, 
                          ? fmt::format("; were it meant in MPa, write `strength {:g};`", 1e6 * least->first)
                          : ""),
          structure.contact.locations.of(least->second)}};
+}
+
+std::vector<Doubt> doubtsAboutLargeStrengths(const ContactProperties& contact, const LimitAnalysis& result)
+{
+    if (result.status != CollapseStatus::notConverged)
+    {
+        return {};
+    }
+    std::vector<GivenStrength> given = crushingStrengths(contact);
+    for (const auto& others :
+         {strengthsOf(contact, "cohesion", &ContactProperties::cohesion, &JointProperties::cohesion),
+          strengthsOf(contact, "tension", &ContactProperties::tension, &JointProperties::tension)})
+    {
+        given.insert(given.end(), others.begin(), others.end());
+    }
+    std::vector<Doubt> doubts;
+    for (const auto& [strength, path] : given)
+    {
+        if (strength > 1e6 * hardestInMegapascal)
+        {
+            doubts.push_back(
+                {fmt::format("strength = {:g} [Pa] is above that of the hardest stone, {:g}, and "
+                             "may be why there is no answer: beside it the loads are lost in "
+                             "rounding. Strengths are in Pa.",
+                             strength, 1e6 * hardestInMegapascal),
+                 contact.locations.of(path)});
+        }
+    }
+    return doubts;
 }
 
 template std::vector<Doubt> doubtsAboutCrushing(const LimitAnalysisCase<2>& structure,

@@ -16,4 +16,7 @@ namespace drystone
 template<int Dim>
 std::vector<Doubt> doubtsAboutCrushing(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
 
+/// Of a structure without an answer: whether joints have strengths that no stone has.
+std::vector<Doubt> doubtsAboutLargeStrengths(const ContactProperties& contact, const LimitAnalysis& result);
+
 } // namespace drystone

@@ -741,7 +741,12 @@ results
             with open(results, encoding="utf-8") as file:
                 self.assertAlmostEqual(float(file.read()), 0.642859, places=6, msg=name)
         for text, says in (("2\nmu 0.65\nunti 0.4\n", "unit"), ("nothing", "no file of parameters"),
-                           ("3\nmu 0.65\nunit 0.4\nnu 1\n", "Unknown variable nu")):
+                           ("3\nmu 0.65\nunit 0.4\nnu 1\n", "Unknown variable nu"),
+                           # What is written twice, or has another number beside it, was taken as it came.
+                           ("3\nmu 0.5\n\nmu 0.65\nunit 0.4\n", "two values of mu: remove one.\n\nfile: " + parameters
+                            + " at line 4."),
+                           ("{ DAKOTA_VARS = 2 }\n{ mu = 0.5 }\n{ mu = 0.65 }\n{ unit = 0.4 }\n", "two values of mu"),
+                           ("2\nmu 0.6 5\nunit 0.4\n", "remove `5`")):
             with open(parameters, "w", encoding="utf-8") as file:
                 file.write(text)
             self.assertIn(says, self.run_(case, "-evaluate", parameters, results, status=1).stderr)

@@ -170,6 +170,35 @@ TEST(Distribution, ChoosesValuesByTheirWeights)
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+TEST(Distribution, OfBetaHasItsQuantilesHoweverNarrowItIs)
+{
+    const auto at = [](const std::string& parameters, double probability)
+    { return valueAt(distributionOf("type beta; minimum 0; maximum 1; " + parameters), probability).number; };
+    // SciPy's; GSL's inverse does not converge.
+    EXPECT_NEAR(at("alpha 5000; beta 90000;", 0.001), 0.0504196591349910, 1e-13);
+    EXPECT_NEAR(at("alpha 2000; beta 2000;", 1 - 1e-6), 0.5375284500258365, 1e-13);
+    // Of small shapes the smallest part is u = x^alpha / (alpha B(alpha, beta)).
+    EXPECT_NEAR(at("alpha 0.01; beta 1;", 0.5) / std::pow(0.5, 100), 1, 1e-10);
+    EXPECT_EQ(at("alpha 0.001; beta 3;", 1e-3) < 1e-300, true);
+    EXPECT_NEAR(at("alpha 3; beta 0.001;", 0.5), 1, 1e-15);
+    EXPECT_THROW(at("alpha 1e300; beta 1e300;", 0.5), FatalIOError);
+}
+
+TEST(Distribution, QuestionsWordsAmongNumbers)
+{
+    const auto warningOf = [](const std::string& text)
+    {
+        testing::internal::CaptureStderr();
+        distributionOf(text);
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_THAT(warningOf("type list;\nvalues (0.3 \"0,4\" 0.5);"),
+                testing::AllOf(HasSubstr("`0,4` is a word among numbers"), HasSubstr("values at line 2.")));
+    EXPECT_THAT(warningOf("type discrete; values (O.1 2); weights (1 1);"), HasSubstr("`O.1` is a word"));
+    EXPECT_EQ(warningOf("type list; values (a.AT2 b.AT2);"), "");
+    EXPECT_EQ(warningOf("type list; values (0.3 -4e-1 0.5);"), "");
+}
+
 TEST(Sobol, FillsEachOfThePartsOfEachDimensionOnce)
 {
     for (int dimension = 0; dimension < sobolDimensions; ++dimension)

@@ -324,6 +324,33 @@ TEST(DistributionStatistic, HasMomentsAndFractiles)
                 11 * values[2], 1e-9);
 }
 
+TEST(DistributionStatistic, HasTheIntervalOfTheDeviationForAnyNumberOfSamples)
+{
+    // For 2320 degrees of freedom GSL's inverse of the chi-squared distribution does not converge.
+    std::vector<double> values;
+    for (int i = 0; i < 2321; ++i)
+    {
+        values.push_back(std::exp(std::sin(i)));
+    }
+    const StatisticRow beta =
+        rowOf(evaluated("type distribution; value y;", tableOf(values, values)), "lognormalBeta");
+    // Wilson and Hilferty's approximation of the fractiles.
+    const auto fractileOf = [](double z)
+    { return 2320 * std::pow(1 - 2 / (9 * 2320.0) + z * std::sqrt(2 / (9 * 2320.0)), 3); };
+    EXPECT_NEAR(beta.lower / beta.value, std::sqrt(2320 / fractileOf(1.959963984540054)), 1e-6);
+    EXPECT_NEAR(beta.upper / beta.value, std::sqrt(2320 / fractileOf(-1.959963984540054)), 1e-6);
+}
+
+TEST(DistributionStatistic, OfOneValueHasNoDeviation)
+{
+    // 0.1 has a mean that differs from it by rounding, which is no scatter.
+    const std::vector<double> same(30, 0.1);
+    const StatisticResult result = evaluated("type distribution; value y;", tableOf(same, same));
+    EXPECT_EQ(rowOf(result, "mean").value, 0.1);
+    EXPECT_EQ(rowOf(result, "standardDeviation").value, 0);
+    EXPECT_EQ(result.pictures.front().second.curves.size(), 1u); // no curve of a lognormal distribution
+}
+
 TEST(DistributionStatistic, OfFewSamplesHasTheIntervalsOfFew)
 {
     const StatisticResult three = evaluated("type distribution; value y;", tableOf({1, 2, 3}, {1, 2, 3}));
@@ -407,6 +434,35 @@ TEST(SensitivityStatistic, OfIshigamisFunctionIsTheClosedForm)
     EXPECT_EQ(rowOf(evaluated("type sensitivity; value y; bootstrap 0;", table), "pointsLeftOut").value, 1);
     table.sensitivityRuns = 0;
     EXPECT_THROW(evaluated("type sensitivity; value y;", table), FatalIOError);
+}
+
+/// Points of two variables, each with the values at A, at B, and at A with one variable from B.
+SampleTable sensitivityTable(const std::vector<double>& values)
+{
+    SampleTable table = tableOf(values, values);
+    table.sensitivityRuns = 3;
+    return table;
+}
+
+TEST(SensitivityStatistic, OfAValueThatIsTheSameEverywhereHasNoIndices)
+{
+    // 0.1 has a mean that differs from it by rounding.
+    const StatisticResult result =
+        evaluated("type sensitivity; value y;", sensitivityTable(std::vector<double>(30, 0.1)));
+    EXPECT_THAT(result.remarks, testing::Contains(HasSubstr("The value is 0.1 in all samples")));
+    EXPECT_TRUE(result.pictures.empty());
+    EXPECT_EQ(result.rows.size(), 2u);
+}
+
+TEST(SensitivityStatistic, LeavesOutPointsDrawnAgainThatDoNotScatter)
+{
+    // Of three points one differs: nearly a third of what is drawn again has no variance.
+    const StatisticResult result =
+        evaluated("type sensitivity; value y; bootstrap 100;", sensitivityTable({0, 0, 0, 0, 0, 0, 1, 0, 0}));
+    const StatisticRow total = rowOf(result, "total_x");
+    EXPECT_TRUE(std::isfinite(total.value));
+    EXPECT_TRUE(std::isfinite(total.standardError));
+    EXPECT_TRUE(std::isfinite(total.lower) && std::isfinite(total.upper));
 }
 
 TEST(FractilesStatistic, AreThoseOfStraightCurves)

@@ -367,6 +367,30 @@ TEST_F(LimitAnalysisResults, QuestionsAStrengthInAnotherUnit)
     EXPECT_EQ(warnings("cohesion { strength 2e4; } crushing { strength 1e4; }"), "");
 }
 
+TEST_F(LimitAnalysisResults, QuestionsStrengthsOfNoStoneWhereThereIsNoAnswer)
+{
+    const auto warnings = [&](const std::string& properties, CollapseStatus status)
+    {
+        writeWholeFile(directory / "constant/contactProperties",
+                       "friction { type Coulomb; mu 0.4; }\n" + properties);
+        LimitAnalysis result = solve("type inertial; direction (1 0 0);");
+        result.status = status;
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        printLimitAnalysis(readLimitAnalysisCase<2>(directory), {result});
+        testing::internal::GetCapturedStdout();
+        return testing::internal::GetCapturedStderr();
+    };
+    const std::string warning = warnings("cohesion { strength 2e12; }\njoints {\n"
+                                         "0-ground { tension { strength 2e9; } } }",
+                                         CollapseStatus::notConverged);
+    EXPECT_THAT(warning, testing::HasSubstr("strength = 2e+12 [Pa] is above that of the hardest stone"));
+    EXPECT_THAT(warning, testing::HasSubstr("constant/contactProperties/cohesion/strength at line 2."));
+    EXPECT_THAT(warning, testing::HasSubstr("joints/0-ground/tension/strength at line 4."));
+    EXPECT_EQ(warnings("cohesion { strength 1e9; }", CollapseStatus::notConverged), "");
+    EXPECT_EQ(warnings("cohesion { strength 2e9; }", CollapseStatus::optimal), "");
+}
+
 TEST_F(LimitAnalysisResults, StatesTheMultiplierInForces)
 {
     // 20 kN, pushed at its top corner by 1 kN: it rocks at 20 x 0.5 / 2 = 5 kN.
