@@ -290,25 +290,16 @@ std::string faultOf(const std::vector<Choice>& values)
     return values.empty() ? "The list is empty." : "";
 }
 
-<<<<<<< HEAD
-/// Empty, or that one of the values is a word among numbers: more often than not a number with a typing
-/// error.
-=======
 /// Empty, or that some values are words and some are numbers, as where one of these is mistyped.
->>>>>>> 204a58085a9c46f8cb217f18e242feaf195845c6
 std::string doubtAbout(const std::vector<Choice>& values)
 {
     const auto isWord = [](const Choice& choice) { return std::isnan(choice.value.number); };
     const auto word = std::find_if(values.begin(), values.end(), isWord);
     return word == values.end() || std::all_of(values.begin(), values.end(), isWord)
                ? ""
-<<<<<<< HEAD
-               : fmt::format("`{}` is a word among numbers. It is used as it stands.", word->value.text);
-=======
                : fmt::format("`{}` is a word among numbers: samples that have it fail where the entry takes "
                              "numbers alone. Usual are values of one kind.",
                              word->value.text);
->>>>>>> 204a58085a9c46f8cb217f18e242feaf195845c6
 }
 
 std::string textOf(const Choice& choice)
