@@ -181,7 +181,12 @@ std::vector<double> readDensities(const std::filesystem::path& caseDirectory, co
         requireZone(name, assembly.zones, ownDictionary.location());
         for (const Zone& zone : assembly.zones)
         {
-            if (name.matches(zone.name))
+            // As everywhere a name counts before patterns, which may come later.
+            const bool hasEntryOfItsOwn =
+                name.text != zone.name
+                && std::any_of(material.zones.begin(), material.zones.end(),
+                               [&zone](const auto& entry) { return entry.first.text == zone.name; });
+            if (name.matches(zone.name) && !hasEntryOfItsOwn)
             {
                 if (name.text == zone.name)
                 {

@@ -104,6 +104,10 @@ std::string alternativeWithoutName(const std::string& pattern, const std::vector
 {
     const auto isOfNames = [](unsigned char c)
     { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '|'; };
+    if (pattern.size() > 2 && pattern.front() == '(' && pattern.back() == ')')
+    {
+        return alternativeWithoutName(pattern.substr(1, pattern.size() - 2), names);
+    }
     if (pattern.find('|') == std::string::npos || !std::all_of(pattern.begin(), pattern.end(), isOfNames))
     {
         return {};

@@ -125,7 +125,7 @@ DynamicCase<Dim> readDynamicCase(const std::filesystem::path& caseDirectory,
 template<int Dim>
 std::vector<double> frictionAt(const DynamicCase<Dim>& scene, const std::vector<ContactPoint<Dim>>& points)
 {
-    return frictionAt(scene.contact, scene.jointFriction, points);
+    return frictionAt(scene.contact, scene.assembly, scene.jointFriction, points);
 }
 
 template std::vector<double> frictionAt(const DynamicCase<2>& scene,

@@ -42,7 +42,7 @@ struct DynamicCase : Structure<Dim>
 template<int Dim>
 void addLeftOut(DynamicCase<Dim>& scene);
 
-/// Friction coefficient of each point: that of its joint as built where that has one of its own.
+/// Friction coefficient of each point: that of its joint where `joints` gives it one of its own.
 template<int Dim>
 std::vector<double> frictionAt(const DynamicCase<Dim>& scene, const std::vector<ContactPoint<Dim>>& points);
 

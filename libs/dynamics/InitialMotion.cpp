@@ -2,6 +2,7 @@
 /// Reading of 0/motion.
 #include "dynamics/InitialMotion.h"
 
+#include "dictionary/DictionaryPattern.h"
 #include "dictionary/EntryLocations.h"
 #include "dynamics/StartCheck.h"
 
@@ -54,6 +55,24 @@ Placement<Dim> placementOf(const BlockStart<Dim>& start, const Block<Dim>& block
     return placement;
 }
 
+/// One of several blocks was mistyped: the others have a start, and it has none.
+void questionAlternative(const std::string& pattern, std::size_t blocks, const SourceLocation& place)
+{
+    std::vector<std::string> names;
+    for (std::size_t block = 0; pattern.find('|') != std::string::npos && block < blocks; ++block)
+    {
+        names.push_back(std::to_string(block));
+    }
+    const std::string mistyped = names.empty() ? std::string() : alternativeWithoutName(pattern, names);
+    if (!mistyped.empty())
+    {
+        printWarningOnce(
+            fmt::format("In the pattern {}: there is no block {}, the assembly has blocks 0 to {}.", pattern,
+                        mistyped, blocks - 1),
+            place);
+    }
+}
+
 } // namespace
 
 template<int Dim>
@@ -73,6 +92,7 @@ InitialState<Dim> readInitialMotion(const std::filesystem::path& caseDirectory, 
     const EntryLocations locations(dictionary);
     std::vector<SourceLocation> places(dictionary.empty() ? 0 : free.size(), dictionary.location());
     std::vector<char> isMatched(motion.blocks.size(), false);
+    std::vector<char> isOfFreeBlock(motion.blocks.size(), false);
     for (std::size_t block = 0; block < free.size(); ++block)
     {
         const std::string index = std::to_string(block);
@@ -83,6 +103,7 @@ InitialState<Dim> readInitialMotion(const std::filesystem::path& caseDirectory, 
             if (name.matches(index))
             {
                 isMatched[i] = true;
+                isOfFreeBlock[i] = isOfFreeBlock[i] || free[block] >= 0;
                 // A pattern that holds supports as well, ".*" say, gives them nothing.
                 const bool isExact = name.text == index;
                 if (isExact || (free[block] >= 0 && !(chosen && chosen->first.text == index)))
@@ -119,6 +140,15 @@ InitialState<Dim> readInitialMotion(const std::filesystem::path& caseDirectory, 
                                            assembly.blocks.size() - 1),
                                locations.of(name));
         }
+        if (!isOfFreeBlock[i])
+        {
+            throw FatalIOError(
+                fmt::format("All blocks that the pattern {} matches are fixed. Only free blocks "
+                            "can be given a start.",
+                            name),
+                locations.of(name));
+        }
+        questionAlternative(name, free.size(), locations.of(name));
     }
     return {std::move(state), std::move(places)};
 }

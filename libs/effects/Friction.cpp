@@ -66,10 +66,16 @@ FrictionOfJoints frictionOfJoints(const ContactProperties& contact, const Assemb
     const std::vector<ContactPoint<Dim>> points = findContactPoints(assembly); // sorted by pairs
     const std::vector<PointLaw> laws = pointLaws(contact, assembly, points);
     const double ofAll = contact.friction ? contact.friction->mu : 0;
+    if (std::none_of(contact.joints.begin(), contact.joints.end(),
+                     [ofAll](const auto& joint)
+                     { return joint.second.friction && joint.second.friction->mu != ofAll; }))
+    {
+        return result;
+    }
     for (std::size_t i = 0; i < points.size(); ++i)
     {
         const std::pair pair(points[i].block, points[i].neighbour);
-        if (laws[i].mu != ofAll && (result.empty() || result.back().first != pair))
+        if (result.empty() || result.back().first != pair)
         {
             result.emplace_back(pair, laws[i].mu);
         }
@@ -78,20 +84,30 @@ FrictionOfJoints frictionOfJoints(const ContactProperties& contact, const Assemb
 }
 
 template<int Dim>
-std::vector<double> frictionAt(const ContactProperties& contact, const FrictionOfJoints& ofJoints,
-                               const std::vector<ContactPoint<Dim>>& points)
+std::vector<double> frictionAt(const ContactProperties& contact, const Assembly<Dim>& assembly,
+                               const FrictionOfJoints& ofJoints, const std::vector<ContactPoint<Dim>>& points)
 {
     std::vector<double> friction = frictionCoefficients(contact, points.size());
+    std::function<const JointProperties*(int, int)> byName; // made where blocks have met that were apart
     for (std::size_t i = 0; !ofJoints.empty() && i < points.size(); ++i)
     {
         const std::pair pair(points[i].block, points[i].neighbour);
-        const auto own =
+        if (i > 0 && pair == std::pair(points[i - 1].block, points[i - 1].neighbour))
+        {
+            friction[i] = friction[i - 1];
+            continue;
+        }
+        const auto built =
             std::lower_bound(ofJoints.begin(), ofJoints.end(), pair,
                              [](const auto& entry, const auto& key) { return entry.first < key; });
-        if (own != ofJoints.end() && own->first == pair)
+        if (built != ofJoints.end() && built->first == pair)
         {
-            friction[i] = own->second;
+            friction[i] = built->second;
+            continue;
         }
+        byName = byName ? byName : jointsByName(contact, assembly);
+        const JointProperties* own = byName(pair.first, pair.second);
+        friction[i] = own && own->friction ? own->friction->mu : friction[i];
     }
     return friction;
 }
@@ -130,9 +146,11 @@ EffectType<Dim> frictionType()
 
 template FrictionOfJoints frictionOfJoints(const ContactProperties& contact, const Assembly<2>& assembly);
 template FrictionOfJoints frictionOfJoints(const ContactProperties& contact, const Assembly<3>& assembly);
-template std::vector<double> frictionAt(const ContactProperties& contact, const FrictionOfJoints& ofJoints,
+template std::vector<double> frictionAt(const ContactProperties& contact, const Assembly<2>& assembly,
+                                        const FrictionOfJoints& ofJoints,
                                         const std::vector<ContactPoint<2>>& points);
-template std::vector<double> frictionAt(const ContactProperties& contact, const FrictionOfJoints& ofJoints,
+template std::vector<double> frictionAt(const ContactProperties& contact, const Assembly<3>& assembly,
+                                        const FrictionOfJoints& ofJoints,
                                         const std::vector<ContactPoint<3>>& points);
 template EffectType<2> frictionType<2>();
 template EffectType<3> frictionType<3>();

@@ -44,7 +44,7 @@ void declare(Options& options, JointFriction& friction);
 /// The friction laws that `friction { type ...; }` chooses from.
 const Registry<CoulombFriction>& frictionTypes();
 
-/// The friction coefficients of joints as built that have one of their own, sorted by (block, neighbour).
+/// The friction coefficients of all joints as built, sorted by (block, neighbour), where `joints` gives any.
 using FrictionOfJoints = std::vector<std::pair<std::pair<int, int>, double>>;
 template<int Dim>
 FrictionOfJoints frictionOfJoints(const ContactProperties& contact, const Assembly<Dim>& assembly);
@@ -52,9 +52,11 @@ FrictionOfJoints frictionOfJoints(const ContactProperties& contact, const Assemb
 /// Friction coefficient of each of `points` contact points: 0 without friction. Not for cases with `joints`.
 std::vector<double> frictionCoefficients(const ContactProperties& contact, std::size_t points);
 
-/// Friction coefficient of each point: that of its joint as built where that has one of its own.
+/// Friction coefficient of each point: that of its joint as built, and of blocks that met later what `joints`
+/// says of their zones.
 template<int Dim>
-std::vector<double> frictionAt(const ContactProperties& contact, const FrictionOfJoints& ofJoints,
+std::vector<double> frictionAt(const ContactProperties& contact, const Assembly<Dim>& assembly,
+                               const FrictionOfJoints& ofJoints,
                                const std::vector<ContactPoint<Dim>>& points);
 
 /// Its line of the log of a motion; empty without friction.

@@ -217,6 +217,18 @@ std::optional<double> stressOf(const std::optional<JointStrength>& ofJoint,
 }
 
 template<int Dim>
+std::function<const JointProperties*(int block, int neighbour)> jointsByName(const ContactProperties& contact,
+                                                                             const Assembly<Dim>& assembly)
+{
+    return [&contact, &assembly, zones = zonesOfBlocks(assembly)](int block, int neighbour)
+    {
+        std::vector<char> isMatched(contact.joints.size(), false);
+        const NamedJoint* entry = entryOf(contact, jointNames(assembly, zones, block, neighbour), isMatched);
+        return entry ? &entry->second : nullptr;
+    };
+}
+
+template<int Dim>
 std::string jointName(const Assembly<Dim>& assembly, int block, int neighbour)
 {
     const auto isFixed = [&](int index) { return assembly.blocks[index].support >= 0; };
@@ -288,10 +300,14 @@ std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly
     return laws;
 }
 
+template std::function<const JointProperties*(int block, int neighbour)>
+jointsByName(const ContactProperties& contact, const Assembly<2>& assembly);
 template std::string jointName(const Assembly<2>& assembly, int block, int neighbour);
 template std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly<2>& assembly,
                                          const std::vector<ContactPoint<2>>& points,
                                          const std::vector<double>& areas);
+template std::function<const JointProperties*(int block, int neighbour)>
+jointsByName(const ContactProperties& contact, const Assembly<3>& assembly);
 template std::string jointName(const Assembly<3>& assembly, int block, int neighbour);
 template std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly<3>& assembly,
                                          const std::vector<ContactPoint<3>>& points,

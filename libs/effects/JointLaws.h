@@ -6,6 +6,7 @@
 #include "contact/PointAreas.h"
 #include "effects/ContactProperties.h"
 
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -34,6 +35,12 @@ struct JointOfCase
 /// Of a joint, else of all [Pa]; nothing where neither is given.
 std::optional<double> stressOf(const std::optional<JointStrength>& ofJoint,
                                const std::optional<JointStrength>& ofAll);
+
+/// Finds what `joints` says of two blocks by their names and zones, whether they touch as built or come to
+/// later; null: nothing. Both arguments must outlive it.
+template<int Dim>
+std::function<const JointProperties*(int block, int neighbour)> jointsByName(const ContactProperties& contact,
+                                                                             const Assembly<Dim>& assembly);
 
 /// Name of the joint of two blocks, for patterns and messages: `3-7`, lower index first; a fixed block goes
 /// by the name of its support and comes last, `12-ground`.

@@ -157,7 +157,8 @@ bool Time::reread()
                             fmt::join(later, ", "), later.size() == 1 ? "stays" : "stay"),
                 read.locationOf(later.front()));
         }
-        const bool otherStep = controls.deltaT != settings.deltaT;
+        const bool isAdjustedNoMore = settings.adjustTimeStep && !controls.adjustTimeStep;
+        const bool otherStep = controls.deltaT != settings.deltaT || isAdjustedNoMore;
         const bool otherOutput = controls.output.writeControl != settings.output.writeControl
                                  || controls.output.writeInterval != settings.output.writeInterval;
         const bool otherPrecision = controls.timePrecision != settings.timePrecision;

@@ -88,6 +88,16 @@ void declareOutput(Options& options, TimeControls& controls)
         "let the run choose the length of its steps, so that some end where it writes, and at endTime");
     options.readElsewhere({"nThreads"}); // ThreadControls.h
     options.readElsewhere({"functions"}, "function objects, each a dictionary with a name of the user's");
+    options.check("stopAt",
+                  [&controls]
+                  {
+                      return controls.stopAt == StopAt::nextWrite
+                                     && controls.output.writeControl == WriteControl::none
+                                 ? "With `writeControl none;` nothing is written, and `stopAt nextWrite;` "
+                                   "would never end the run.\n\nGive another writeControl, or `stopAt "
+                                   "endTime;` and endTime."
+                                 : "";
+                  });
     options.check("writeControl",
                   [&controls]() -> std::string
                   {

@@ -94,6 +94,20 @@ TEST_F(Zones, HaveMaterialsOfTheirOwn)
                 HasSubstr("Unknown zone stones. Did you mean stone?"));
 }
 
+TEST_F(Zones, TakeTheMaterialOfTheirNameBeforeThatOfPatterns)
+{
+    Assembly<3> assembly = twoCubes();
+    assembly.zones = {{"stone", {0}}, {"brick", {1}}};
+    const std::string ofName = "brick { density 1800; } ";
+    const std::string ofPattern = "\".*\" { density 2500; } ";
+    for (const std::string& zones : {ofName + ofPattern, ofPattern + ofName})
+    {
+        write("constant/materialProperties", "density 2000; zones { " + zones + "}");
+        EXPECT_EQ(readDensities<3>(directory, assembly, {0, 0, -10}), (std::vector<double>{2500, 1800}))
+            << zones;
+    }
+}
+
 // One of several names was mistyped: its blocks had the density of all others without a word.
 TEST_F(Zones, ANameWithinAPatternThatNoZoneHasIsWarnedOf)
 {
@@ -108,6 +122,7 @@ TEST_F(Zones, ANameWithinAPatternThatNoZoneHasIsWarnedOf)
     EXPECT_THAT(warnings("sotne|brick.red"),
                 testing::Not(HasSubstr("sotne"))); // a dot is no letter of a name
     EXPECT_THAT(warnings("stone|sotne"), HasSubstr("Unknown zone sotne. Did you mean stone?"));
+    EXPECT_THAT(warnings("(stone|sotne)"), HasSubstr("In the pattern (stone|sotne): Unknown zone sotne."));
     EXPECT_EQ(warnings("stone|stone"), "");
     EXPECT_EQ(warnings("(stone|clay).*"), "");
 }

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <optional>
+#include <string>
 
 namespace drystone
 {
@@ -127,6 +129,44 @@ TEST(SlidingBlock, ABlockThatDragsTheOneOnItHasNoImpacts)
         EXPECT_LE(run.motion.energy.impactLoss, 1e-4 * run.motion.energy.frictionLoss) << timeStep;
         EXPECT_NEAR(run.motion.state.velocity[3], 0.3 * g * 0.2, 1e-5) << timeStep;
         EXPECT_NEAR(run.motion.state.velocity[4], 0, 1e-5) << timeStep;
+    }
+}
+
+// Of two bricks one stands on the ground as built, the other falls on it: what `joints` says of bricks on the
+// ground is said of both.
+TEST(SlidingBlock, AJointThatIsMadeInMotionHasTheFrictionOfItsZones)
+{
+    const auto placementsAt = [](double ofAll, std::optional<double> ofBricks)
+    {
+        Assembly<2> assembly = blockOnGround();
+        assembly.blocks.push_back(scenes::rectangle(2, 0.1, 1, 0.4));
+        assembly.zones = {{"brick", {1, 2}}};
+        DynamicCase<2> scene = scenes::sceneOf(std::move(assembly), {.mu = ofAll});
+        if (ofBricks)
+        {
+            const std::string name = "brick-ground";
+            scene.contact.joints = {
+                {NamePattern{name, [name](const std::string& other) { return other == name; }},
+                 JointProperties{JointFriction{*ofBricks}, {}, {}, {}}}};
+            scene.jointFriction = frictionOfJoints(scene.contact, scene.assembly);
+        }
+        DynamicState<2> state = stateAtRest(scene.assembly);
+        state.velocity[0] = -1;
+        state.velocity[3] = 1;
+        Motion<2> motion = startMotion(scene, state);
+        for (int step = 0; step < 200; ++step)
+        {
+            EXPECT_TRUE(advance(scene, motion, 2e-3)) << step;
+        }
+        return motion.state.placements;
+    };
+    const auto expected = placementsAt(0.2, std::nullopt);
+    const auto found = placementsAt(0.8, 0.2);
+    const auto ofOtherFriction = placementsAt(0.8, std::nullopt);
+    for (const std::size_t block : {1, 2})
+    {
+        EXPECT_EQ(found[block].translation, expected[block].translation) << block;
+        EXPECT_GT((found[block].translation - ofOtherFriction[block].translation).norm(), 0.01) << block;
     }
 }
 

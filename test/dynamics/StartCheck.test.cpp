@@ -105,6 +105,33 @@ TEST_F(StartCheck, NamesThePatternThatPlacedTheBlock)
     EXPECT_TRUE(readInitialMotion(directory, "1", assembly).places.empty()) << "there is no 1/motion";
 }
 
+TEST_F(StartCheck, PatternsThatGiveABlockNothingAreNamed)
+{
+    const auto warning = [this](const std::string& name)
+    {
+        std::ofstream(directory / "0/motion") << "\n\n\"" << name << "\" { velocity (1 0); }\n";
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        readInitialMotion(directory, "0", assembly);
+        return testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr();
+    };
+    EXPECT_THAT(warning("(1|33)"), AllOf(HasSubstr("there is no block 33"), HasSubstr("line 3")));
+    EXPECT_EQ(warning("0|1"), "") << "the support has no start";
+    EXPECT_EQ(warning(".*"), "");
+    try
+    {
+        warning("0|00");
+        FAIL() << "no error";
+    }
+    catch (const FatalIOError& error)
+    {
+        testing::internal::GetCapturedStdout();
+        testing::internal::GetCapturedStderr();
+        EXPECT_THAT(error.report(),
+                    AllOf(HasSubstr("Only free blocks can be given a start"), HasSubstr("line 3")));
+    }
+}
+
 TEST_F(StartCheck, RefusesAStartInAnotherFreeBlock)
 {
     assembly.blocks.push_back(scenes::rectangle(0.25, 0, 0.5, 2));

@@ -290,6 +290,14 @@ TEST(MassDamping, EquivalentToHousnersLossFollowsTheClosedRelation)
     EXPECT_NEAR(equivalentDamping({0.245, 1.03, 0.1225}, g) / p, 0.1370, 5e-5);
     // More for small amplitudes, in proportion to the square root of size and gravity.
     EXPECT_GT(equivalentDamping({0.245, 1.03, 0.01}, g), equivalentDamping({0.245, 1.03, 0.1}, g));
+    // As 1 over the root of the smallest amplitudes, which rounding does not reach.
+    for (const double amplitude : {1e-6, 1e-9, 1e-17})
+    {
+        EXPECT_NEAR(equivalentDamping({0.245, 1.03, amplitude}, g) * std::sqrt(amplitude)
+                        / (equivalentDamping({0.245, 1.03, 1e-5}, g) * std::sqrt(1e-5)),
+                    1, 1e-4)
+            << amplitude;
+    }
     EXPECT_NEAR(equivalentDamping({0.245, 4.12, 0.1}, g) / equivalentDamping({0.245, 1.03, 0.1}, g), 0.5,
                 1e-12);
 }

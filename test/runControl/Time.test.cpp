@@ -97,6 +97,8 @@ TEST_F(TimeCase, WhatAStepNeedsIsRequiredWithAnExample)
                 testing::AllOf(HasSubstr("The entry endTime is missing"),
                                HasSubstr("Write for example `endTime 1;`"), HasSubstr("controlDict")));
     EXPECT_EQ(failure("deltaT 0.1; stopAt writeNow;"), "no failure");
+    EXPECT_THAT(failure("deltaT 0.1; stopAt nextWrite; writeControl none;"),
+                HasSubstr("would never end the run"));
     EXPECT_THAT(failure("deltaT 0.1; endTime 1; startTime 2;"), HasSubstr("endTime lies before startTime"));
     for (const OptionDescription& about : describeOptions<SteppedTimeControls>())
     {
@@ -347,6 +349,20 @@ TEST_F(TimeCase, ReadsAControlDictThatHasChanged)
     ASSERT_TRUE(time.loop());
     EXPECT_NEAR(time.value(), 0.5, 1e-15);
     EXPECT_FALSE(time.loop());
+}
+
+TEST_F(TimeCase, HasDeltaTAgainWhenStepsAreAdjustedNoMore)
+{
+    control("deltaT 0.1; endTime 3; adjustTimeStep on;");
+    Time time(directory, ControlDict::required);
+    ASSERT_TRUE(time.loop());
+    time.setDeltaT(0.5);
+    ASSERT_TRUE(time.loop());
+    const double before = time.value();
+    EXPECT_GT(before, 0.5);
+    change("deltaT 0.1; endTime 3; adjustTimeStep off;");
+    ASSERT_TRUE(time.loop());
+    EXPECT_NEAR(time.value(), before + 0.1, 1e-14);
 }
 
 TEST_F(TimeCase, GoesOnWithTheOldSettingsWhenTheNewOnesAreFaulty)
