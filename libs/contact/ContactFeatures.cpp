@@ -10,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <tuple>
 
 namespace drystone
 {
@@ -440,68 +439,6 @@ bool MovingContacts<2>::pairEdges(int block, int neighbour, double lowest, doubl
         }
     }
     return anyOblique;
-}
-
-void MovingContacts<2>::sortCandidates()
-{
-    std::sort(candidates.begin(), candidates.end(),
-              [](const Candidate& a, const Candidate& b)
-              {
-                  return std::tuple(a.blockEdge(), a.neighbourEdge(), a.owner, a.corner)
-                         < std::tuple(b.blockEdge(), b.neighbourEdge(), b.owner, b.corner);
-              });
-}
-
-void MovingContacts<2>::addFound()
-{
-    static const ContactPoint<2> blank;
-    int lastBlockEdge = -1;
-    int lastNeighbourEdge = -1;
-    for (const Candidate& candidate : candidates)
-    {
-        if (candidate.blockEdge() != lastBlockEdge || candidate.neighbourEdge() != lastNeighbourEdge)
-        {
-            lastBlockEdge = candidate.blockEdge();
-            lastNeighbourEdge = candidate.neighbourEdge();
-            ++joints;
-        }
-        const bool cornerIsTheBlocks = candidate.owner == 0;
-        cornerAndEdge.emplace_back(candidate.corner, candidate.edge);
-        found.push_back(blank); // emplaced, it would be cleared twice
-        ContactPoint<2>& point = found.back();
-        point.block = pairBlock;
-        point.neighbour = pairNeighbour;
-        point.joint = joints - 1;
-        point.position = placedNow.corner[candidate.corner];
-        const Vector<2> normal = outwardNormal(placedNow.tangent[candidate.edge]);
-        point.normal = cornerIsTheBlocks ? normal : Vector<2>(-normal);
-        point.gap = candidate.gap;
-        point.feature = {cornerIsTheBlocks ? pairBlock : pairNeighbour, vertex[candidate.corner],
-                         vertex[candidate.edge]};
-    }
-}
-
-void MovingContacts<2>::findPoints(int block, int neighbour, double margin)
-{
-    candidates.clear();
-    pairBlock = block;
-    pairNeighbour = neighbour;
-    const double lowest = -std::min(deepest[block], deepest[neighbour]);
-    if (pairEdges(block, neighbour, lowest, margin))
-    {
-        standCorners(0, block, neighbour, lowest, margin);
-        standCorners(1, neighbour, block, lowest, margin);
-    }
-    if (candidates.empty() && placedAhead != &placedNow)
-    {
-        guardCorners(margin);
-    }
-    if (candidates.size() > 1)
-    {
-        dropDeeper();
-        sortCandidates();
-    }
-    addFound();
 }
 
 } // namespace drystone

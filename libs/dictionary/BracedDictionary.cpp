@@ -2,6 +2,7 @@
 /// Dictionaries inside lists of tokens: `( { a 1; } name { b 2; } )`.
 #include "dictionary/Dictionary.h"
 #include "dictionary/EntryPath.h"
+#include "dictionary/RepeatedKey.h"
 
 #include <fmt/format.h>
 
@@ -19,16 +20,6 @@ bool isWritten(const Token& token)
     const std::less<> isBefore; // of any pointers, those of another text included
     return token.file && !isBefore(token.text.data(), token.file->text.data())
            && isBefore(token.text.data(), token.file->text.data() + token.file->text.size());
-}
-
-/// As of entries outside of lists, where input modes may ask for it.
-void warnOfRepetition(const Token& earlier, const Token& key, bool isDictionary,
-                      const SourceLocation& location)
-{
-    printWarningOnce(fmt::format("{} is given twice, first at line {}; {}. Remove one of them.", key.text,
-                                 earlier.line,
-                                 isDictionary ? "what both have is taken together" : "the last one counts"),
-                     location);
 }
 
 Dictionary readBraced(TokenCursor& cursor, const std::shared_ptr<SourceText>& source, SourceLocation location,
@@ -61,7 +52,9 @@ Dictionary readBraced(TokenCursor& cursor, const std::shared_ptr<SourceText>& so
             const auto [earlier, isFirst] = first.try_emplace(key.text, &key);
             if (!isFirst)
             {
-                warnOfRepetition(*earlier->second, key, cursor.isNext('{'), entryLocation);
+                // Input modes, which may ask for it outside of lists, there are none here.
+                printWarningOnce(repeatedKeyText(key.text, earlier->second->line, cursor.isNext('{')) + ".",
+                                 entryLocation);
             }
         }
         if (cursor.isNext('{'))

@@ -9,6 +9,7 @@
 #include "dictionary/IncludedFiles.h"
 #include "dictionary/MacroExpansion.h"
 #include "dictionary/MacroNames.h"
+#include "dictionary/RepeatedKey.h"
 #include "dictionary/ValueExpansion.h"
 
 #include <algorithm>
@@ -117,18 +118,13 @@ private:
         }
     }
 
-    /// To give an entry again is how a file that is included is overridden; twice in one place it is a
-    /// mistake more often than not.
     void warnOfRepetition(const Statement& earlier, const Statement& statement)
     {
         const bool areMerged =
             earlier.kind == Statement::Kind::dictionary && statement.kind == Statement::Kind::dictionary;
-        printWarningOnce(
-            fmt::format("{} is given twice, first at line {}; {}. Remove one of them, or write `#inputMode "
-                        "merge` before them.",
-                        statement.keyword.text, earlier.keyword.line,
-                        areMerged ? "what both have is taken together" : "the last one counts"),
-            locationOf(reading, statement.keyword));
+        printWarningOnce(repeatedKeyText(statement.keyword.text, earlier.keyword.line, areMerged)
+                             + ", or write `#inputMode merge` before them.",
+                         locationOf(reading, statement.keyword));
     }
 
     void carryOut(const Statement& statement)

@@ -2,6 +2,7 @@
 /// The registry of distributions; their inverse functions are GSL's.
 #include "ensembles/Distribution.h"
 
+#include "core/Bisection.h"
 #include "quantities/TableFigure.h"
 
 #include <fmt/format.h>
@@ -231,17 +232,12 @@ Distribution makeTruncated(const TruncatedSettings& settings, const Dictionary& 
                            "lognormal, uniform or beta.",
                            dictionary.locationOf("of"));
     }
-    // The probability of a value, by bisection of the inverse: monotone, to the last bit.
+    // The probability of a value: the inverse is monotone.
     const auto probability = [inverse = settings.of.inverse](double value)
     {
-        double low = 0;
-        double high = 1;
-        for (int halving = 0; halving < 60; ++halving)
-        {
-            const double middle = (low + high) / 2;
-            (middle > 0 && inverse(middle) > value ? high : low) = middle;
-        }
-        return high;
+        constexpr int halvings = 60; // more would change samples that exist, where truncation leaves little
+        return bisected(
+            0, 1, [&](double at) { return !(inverse(at) > value); }, halvings);
     };
     Distribution made;
     const Limits limits{settings.minimum, settings.maximum};
@@ -447,16 +443,6 @@ SampleValue valueAt(const Distribution& distribution, double probability)
     const auto chosen =
         std::upper_bound(distribution.cumulative.begin(), distribution.cumulative.end() - 1, probability);
     return distribution.choices[static_cast<std::size_t>(chosen - distribution.cumulative.begin())];
-}
-
-double bisected(double low, double high, const std::function<bool(double)>& isBelow)
-{
-    for (double middle = low + (high - low) / 2; low < middle && middle < high;
-         middle = low + (high - low) / 2)
-    {
-        (isBelow(middle) ? low : high) = middle;
-    }
-    return high;
 }
 
 double normalQuantile(double probability)

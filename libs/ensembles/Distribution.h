@@ -44,8 +44,4 @@ SampleValue valueOf(const std::string& word);
 double normalQuantile(double probability);
 double normalProbability(double value);
 
-/// The least number above low for which isBelow is false, to the last bit, by bisection; high where there is
-/// none. GSL's inverse functions end the process where they do not converge.
-double bisected(double low, double high, const std::function<bool(double)>& isBelow);
-
 } // namespace drystone

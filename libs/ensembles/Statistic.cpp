@@ -2,6 +2,7 @@
 /// The registry of statistics, and the distribution of a value.
 #include "ensembles/Statistic.h"
 
+#include "core/Bisection.h"
 #include "dictionary/Expression.h"
 #include "ensembles/Arithmetic.h"
 #include "ensembles/Distribution.h"

@@ -2,6 +2,8 @@
 /// What can be done with a record, and its figures. The readers are in PeerRecord.cpp and CsvRecord.cpp.
 #include "timeSeries/Record.h"
 
+#include "core/Bisection.h"
+
 #include <gsl/gsl_multifit.h>
 
 #include <algorithm>
@@ -71,14 +73,9 @@ double timeOfSquareIntegral(const Record& record, double target)
         const double whole = squareIntegral(h, a0, a1, 1);
         if (sum + whole >= target)
         {
-            double low = 0;
-            double high = 1;
-            for (int bisection = 0; bisection < 60; ++bisection) // a monotone cubic: bisect to the last digit
-            {
-                const double middle = 0.5 * (low + high);
-                (sum + squareIntegral(h, a0, a1, middle) < target ? low : high) = middle;
-            }
-            return record.times[i] + high * h;
+            constexpr int halvings = 60;
+            const auto isBefore = [&](double part) { return sum + squareIntegral(h, a0, a1, part) < target; };
+            return record.times[i] + bisected(0, 1, isBefore, halvings) * h; // a monotone cubic
         }
         sum += whole;
     }
