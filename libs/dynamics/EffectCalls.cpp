@@ -97,8 +97,8 @@ constexpr std::array<EffectPlaces<Dim>, 6> effectPlaces{
      {"restitution", "points that collide", countOfColliding<Dim>},
      {"cohesion", "points that friction alone does not hold", bondedPoints<Dim>},
      {"tension", "points that friction alone does not hold", bondedPoints<Dim>},
-     {"elasticity", "points, which give way at rest too", everywhere<Dim>},
-     {"supportMotion", "supports, which are never at rest", everywhere<Dim>}}};
+     {"elasticity", "points, unless blocks and loads stay as they are", everywhere<Dim>},
+     {"supportMotion", "supports, unless all stand still", everywhere<Dim>}}};
 
 template<int Dim>
 EffectPlaces<Dim> placesOfEffect(std::string_view effect)

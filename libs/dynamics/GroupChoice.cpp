@@ -124,7 +124,23 @@ void GroupChoice<Dim>::holdSlowBlocks()
         isSlow[body] = speeds[body] <= held;
         creeps[body] = speeds[body] <= creeping * fastest;
     }
+    wakeAtMovingSupports();
     isHeld = isSlow;
+}
+
+template<int Dim>
+void GroupChoice<Dim>::wakeAtMovingSupports()
+{
+    const Eigen::VectorXd& closing = current.bySupports;
+    for (Eigen::Index row = 0; row < closing.size(); row += Dim)
+    {
+        if (closing.template segment<Dim>(row).norm() > keptGap(current))
+        {
+            const auto& contact = current.program.contacts[static_cast<std::size_t>(row / Dim)];
+            const int free = std::max(contact.first, contact.second); // the other block is fixed
+            isSlow[static_cast<std::size_t>(free)] = false;
+        }
+    }
 }
 
 template<int Dim>

@@ -47,6 +47,7 @@ public:
 
 private:
     void holdSlowBlocks();
+    void wakeAtMovingSupports(); ///< which take blocks along, or slide along them
     void joinBlocks();
     void wakeNeighbours(std::vector<char> isAwake);
     void wakeBuffer();

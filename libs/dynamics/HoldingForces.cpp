@@ -50,8 +50,6 @@ InnerBalance<Dim> innerBalance(const Step<Dim>& step, const BlockGroups<Dim>& gr
     const std::vector<char> isClosed =
         isAnyHeld ? closedPoints<Dim>(whole, step.settings.solver.tolerance) : std::vector<char>();
     const double kept = keptGap(step);
-    std::vector<double> gaps;
-    gaps.reserve(groups.inner.size());
     inner.points.reserve(groups.inner.size());
     inner.program.contacts.reserve(groups.inner.size());
     inner.program.friction.reserve(groups.inner.size());
@@ -65,14 +63,11 @@ InnerBalance<Dim> innerBalance(const Step<Dim>& step, const BlockGroups<Dim>& gr
             inner.points.push_back(point);
             inner.program.contacts.push_back(contact);
             inner.program.friction.push_back(whole.friction[point]);
-            gaps.push_back(std::abs(gap) <= kept ? 0 : gap);
         }
     }
-    inner.program.gap = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(gaps.size()));
-    for (std::size_t i = 0; i < gaps.size(); ++i)
-    {
-        inner.program.gap[Dim * static_cast<Eigen::Index>(i)] = gaps[i];
-    }
+    // What is kept of a gap counts as none, of a slip likewise, which held blocks have at supports that move.
+    inner.program.gap = takenFrom<Dim>(inner.points, whole.gap);
+    inner.program.gap = (inner.program.gap.array().abs() <= kept).select(0, inner.program.gap);
     return inner;
 }
 

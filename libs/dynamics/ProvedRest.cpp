@@ -21,20 +21,31 @@ bool isSame(const std::vector<Placement<Dim>>& some, const std::vector<Placement
                          });
 }
 
-/// The proof for where the blocks are, made if there is none.
+/// \param all Dim a point
 template<int Dim>
-RestProof<Dim>& keptProof(Step<Dim>& step)
+bool isSame(const std::vector<Vector<Dim>>& some, const Eigen::VectorXd& all)
 {
-    Motion<Dim>& motion = step.motion;
-    if (motion.restProof && isSame<Dim>(motion.restProof->placements, motion.state.placements))
+    bool isEqual = Dim * static_cast<Eigen::Index>(some.size()) == all.size();
+    for (std::size_t i = 0; isEqual && i < some.size(); ++i)
     {
-        return *motion.restProof;
+        isEqual = some[i] == all.segment<Dim>(Dim * static_cast<Eigen::Index>(i));
     }
-    const DynamicCase<Dim>& scene = step.scene;
-    Step<Dim> own(scene, motion, step.scheme.timeStep, step.impacts);
-    findContacts(own);
-    assemble(own);
-    contribute(own);
+    return isEqual;
+}
+
+/// Whether the proof is one for where the blocks are. Of points that give way it is one for the forces of the
+/// last step, too, from which their shear goes on.
+template<int Dim>
+bool isOf(const RestProof<Dim>& proof, const Motion<Dim>& motion)
+{
+    return isSame<Dim>(proof.placements, motion.state.placements)
+           && (!proof.program.hasCompliance() || isSame<Dim>(motion.contactForces, proof.forcesOfDeadLoad));
+}
+
+/// All that effects may load the structure with.
+template<int Dim>
+std::vector<Eigen::VectorXd> loadDirections(const DynamicCase<Dim>& scene)
+{
     std::vector<Eigen::VectorXd> loads;
     for (const auto& effect : scene.effects)
     {
@@ -43,11 +54,39 @@ RestProof<Dim>& keptProof(Step<Dim>& step)
             loads.push_back(std::move(load));
         }
     }
-    motion.restProof = proofOfRest<Dim>(std::move(own.program), step.scheme.timeStep, own.deadLoad, loads,
-                                        step.settings.solver.tolerance);
+    return loads;
+}
+
+/// The proof for where the blocks are, made if there is none.
+template<int Dim>
+RestProof<Dim>& keptProof(Step<Dim>& step)
+{
+    Motion<Dim>& motion = step.motion;
+    if (motion.restProof && isOf(*motion.restProof, motion))
+    {
+        return *motion.restProof;
+    }
+    const DynamicCase<Dim>& scene = step.scene;
+    Step<Dim> own(scene, motion, step.scheme.timeStep, step.impacts);
+    findContacts(own);
+    assemble(own);
+    contribute(own);
+    motion.restProof =
+        own.program.hasCompliance()
+            ? proofOfElasticRest<Dim>(std::move(own.program), step.scheme.timeStep, own.guess.contactForce)
+            : proofOfRest<Dim>(std::move(own.program), step.scheme.timeStep, own.deadLoad,
+                               loadDirections(scene), step.settings.solver.tolerance);
     motion.restProof->points = std::move(own.points);
     motion.restProof->placements = motion.state.placements;
     return *motion.restProof;
+}
+
+/// Whether all effects are idle in the step, as far as they can be known without solving it.
+template<int Dim>
+bool areEffectsIdle(const Step<Dim>& step)
+{
+    return traitsOf(step.scene.effects).isIdleAtRest
+           && std::all_of(step.supports.begin(), step.supports.end(), isStill<Dim>);
 }
 
 /// Mbar is M over theta dt^2.
@@ -70,7 +109,7 @@ bool staysAtRest(Step<Dim>& step)
     const DynamicCase<Dim>& scene = step.scene;
     Motion<Dim>& motion = step.motion;
     if (scene.schemes.effects.selection != EffectSelection::automatic || !motion.state.velocity.isZero(0)
-        || !traitsOf(scene.effects).isIdleAtRest)
+        || !areEffectsIdle(step))
     {
         return false;
     }

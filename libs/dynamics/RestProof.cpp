@@ -239,6 +239,17 @@ RestProof<Dim> proofOfRest(StepProgram<Dim> program, double timeStep, Eigen::Vec
 }
 
 template<int Dim>
+RestProof<Dim> proofOfElasticRest(StepProgram<Dim> program, double timeStep, Eigen::VectorXd forces)
+{
+    RestProof<Dim> proof;
+    proof.deadLoad = program.load;
+    proof.program = std::move(program);
+    proof.timeStep = timeStep;
+    proof.forcesOfDeadLoad = std::move(forces);
+    return proof;
+}
+
+template<int Dim>
 Eigen::VectorXd forcesAtRest(RestProof<Dim>& proof, const Eigen::VectorXd& load, double margin)
 {
     if (proof.forcesOfDeadLoad.size() == 0)
@@ -307,11 +318,13 @@ template struct RestProof<2>;
 template std::vector<char> closedPoints(const StepProgram<2>& program, double tolerance);
 template RestProof<2> proofOfRest(StepProgram<2> program, double timeStep, Eigen::VectorXd deadLoad,
                                   const std::vector<Eigen::VectorXd>& loads, double tolerance);
+template RestProof<2> proofOfElasticRest(StepProgram<2> program, double timeStep, Eigen::VectorXd forces);
 template Eigen::VectorXd forcesAtRest(RestProof<2>& proof, const Eigen::VectorXd& load, double margin);
 template struct RestProof<3>;
 template std::vector<char> closedPoints(const StepProgram<3>& program, double tolerance);
 template RestProof<3> proofOfRest(StepProgram<3> program, double timeStep, Eigen::VectorXd deadLoad,
                                   const std::vector<Eigen::VectorXd>& loads, double tolerance);
+template RestProof<3> proofOfElasticRest(StepProgram<3> program, double timeStep, Eigen::VectorXd forces);
 template Eigen::VectorXd forcesAtRest(RestProof<3>& proof, const Eigen::VectorXd& load, double margin);
 
 } // namespace drystone

@@ -57,6 +57,12 @@ template<int Dim>
 RestProof<Dim> proofOfRest(StepProgram<Dim> program, double timeStep, Eigen::VectorXd deadLoad,
                            const std::vector<Eigen::VectorXd>& loads, double tolerance);
 
+/// Of points that give way: their forces follow from where the blocks are, so that those of the last step are
+/// the only ones, and hold no other load than they did. The certificate of the step says which that is.
+/// \param forces of the last step, Dim a point [N]
+template<int Dim>
+RestProof<Dim> proofOfElasticRest(StepProgram<Dim> program, double timeStep, Eigen::VectorXd forces);
+
 /// Forces that balance a load, inside the cones by a share `margin` of how far those of the dead load are.
 /// Solves programs where they are not known yet. \return F k, or empty where none are found
 template<int Dim>

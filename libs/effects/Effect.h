@@ -91,7 +91,8 @@ struct EffectTraits
     bool actsOnBlocks = false; ///< blocks that touch nothing feel it too, and not as a load
     bool movesSupports = false;
     /// A step from rest to rest is the same without it, but for the load that it adds and for what it puts
-    /// into the program, which is the same in each such step. Said by each effect, with the reason.
+    /// into the program, which is the same in each such step; steps in which supports move are none. Said by
+    /// each effect, with the reason.
     bool isIdleAtRest = false;
     double stiffness = 0; ///< of compliant contact points against pressing [N/m]
     double damping = 0;   ///< force over momentum of each block, as part of the program's inertia [1/s]

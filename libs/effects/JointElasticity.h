@@ -35,7 +35,11 @@ public:
     {
         compliance[0] = 1 / elasticity.normal;
     }
-    EffectTraits traits() const override { return {.isCompliant = true, .stiffness = 1 / compliance[0]}; }
+    /// Idle at rest: shear goes on from the forces of the last step, which rest leaves as they are.
+    EffectTraits traits() const override
+    {
+        return {.isCompliant = true, .isIdleAtRest = true, .stiffness = 1 / compliance[0]};
+    }
     void contribute(const EffectContext<Dim>& context, EffectState& state,
                     StepProgram<Dim>& program) const override;
     void account(const EffectContext<Dim>& context, const EffectSolution& solution,

@@ -65,7 +65,8 @@ class MovingSupports final : public Effect<Dim>
 {
 public:
     explicit MovingSupports(std::vector<SupportMotion<Dim>> ofSupports) : motions(std::move(ofSupports)) {}
-    EffectTraits traits() const override { return {.movesSupports = true}; }
+    /// Idle at rest: what moves no support in a step does nothing in it (SupportStep.h).
+    EffectTraits traits() const override { return {.movesSupports = true, .isIdleAtRest = true}; }
     StepBounds stepBounds(double time) const override;
     std::vector<SupportStep<Dim>> supportSteps(const Structure<Dim>& structure,
                                                const std::vector<Placement<Dim>>& placements, double from,

@@ -6,6 +6,12 @@ namespace drystone
 {
 
 template<int Dim>
+bool isStill(const SupportStep<Dim>& step)
+{
+    return step.translation.isZero(0) && rowsOf(step.rotation).isZero(0);
+}
+
+template<int Dim>
 BlockVector<Dim> displacementAfter(const SupportStep<Dim>& step, double share)
 {
     BlockVector<Dim> displacement;
@@ -80,6 +86,7 @@ Eigen::VectorXd closingAtTheStart(const std::vector<ContactPoint<Dim>>& points,
 template Eigen::VectorXd closingAtTheStart(const std::vector<ContactPoint<2>>& points,
                                            const std::vector<ContactColumns<2>>& columns,
                                            const std::vector<SupportStep<2>>& supports);
+template bool isStill(const SupportStep<2>& step);
 template BlockVector<2> displacementAfter(const SupportStep<2>& step, double share);
 template void moveWithSupports(std::vector<Placement<2>>& placements,
                                const std::vector<SupportStep<2>>& steps, double share);
@@ -89,6 +96,7 @@ template Eigen::VectorXd closingBySupports(const std::vector<ContactPoint<2>>& p
 template Eigen::VectorXd closingAtTheStart(const std::vector<ContactPoint<3>>& points,
                                            const std::vector<ContactColumns<3>>& columns,
                                            const std::vector<SupportStep<3>>& supports);
+template bool isStill(const SupportStep<3>& step);
 template BlockVector<3> displacementAfter(const SupportStep<3>& step, double share);
 template void moveWithSupports(std::vector<Placement<3>>& placements,
                                const std::vector<SupportStep<3>>& steps, double share);

@@ -20,6 +20,10 @@ struct SupportStep
     Vector<Dim> arm = Vector<Dim>::Zero(); ///< from that centre to the block's mass centre at the start [m]
 };
 
+/// Whether the block stays where it is.
+template<int Dim>
+bool isStill(const SupportStep<Dim>& step);
+
 /// The displacement (ux uy rz), in space (ux uy uz rx ry rz), of the block's mass centre after a share of the
 /// time: to the last digits [m and rad].
 template<int Dim>

@@ -9,6 +9,7 @@
 #include "dynamics/VerifiedStep.h"
 #include "effects/JointElasticity.h"
 #include "effects/MassDamping.h"
+#include "effects/SupportMotion.h"
 #include "texture/Texture.h"
 #include "timeSeries/GroundAcceleration.h"
 
@@ -176,6 +177,66 @@ TEST(ProvedRest, EffectsThatActAtRestAreNeverLeftOut)
     motion = startMotion(scene, stateAtRest(scene.assembly));
     ASSERT_TRUE(advance(scene, motion, timeStep));
     EXPECT_EQ(motion.effectUse.atRest, 1);
+}
+
+// Points that give way hold by the forces that their overlaps say, and no other: so long as the load is the
+// same, and not beyond.
+TEST(ProvedRest, AnElasticBlockThatHasSunkRestsByProofUntilTheGroundMoves)
+{
+    std::vector<DynamicState<2>> ends;
+    for (const EffectSelection selection : {EffectSelection::asGiven, EffectSelection::automatic})
+    {
+        Assembly<2> assembly = ground(-5, 5);
+        assembly.blocks.push_back(rectangle(0, 0, 1, 0.4));
+        DynamicCase<2> scene = sceneOf(std::move(assembly), {});
+        scene.schemes.effects.selection = selection;
+        scene.effects.push_back(std::make_shared<JointElasticity<2>>(Elasticity{1e6, 5e5}));
+        scene.effects.push_back(std::make_shared<MassDamping<2>>(Damping{20}));
+        shake(scene, std::make_shared<RectangularPulse>(PulseShape{1.0, 0.1, 3}));
+        Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+        long provedBefore = 0;
+        for (int step = 0; step < 1600; ++step)
+        {
+            provedBefore = step == 1499 ? motion.effectUse.atRest : provedBefore;
+            ASSERT_TRUE(advance(scene, motion, timeStep));
+        }
+        const bool isAutomatic = selection == EffectSelection::automatic;
+        EXPECT_EQ(provedBefore > 400, isAutomatic) << provedBefore;
+        EXPECT_EQ(motion.effectUse.atRest, provedBefore + (isAutomatic ? 1 : 0));
+        EXPECT_FALSE(motion.state.velocity.isZero(0)); // by the pulse
+        EXPECT_NEAR(imbalance(motion.energy), 0, 1e-9);
+        ends.push_back(motion.state);
+    }
+    EXPECT_EQ(ends[0].placements[1].translation, ends[1].placements[1].translation);
+    EXPECT_EQ(ends[0].velocity, ends[1].velocity);
+}
+
+// A support carries a block along, and stops: from then on it is a support like any other.
+TEST(ProvedRest, ABlockRestsByProofWhileItsSupportStandsStill)
+{
+    Assembly<2> assembly = ground(-5, 5);
+    assembly.blocks.push_back(rectangle(0, 0, 1, 0.4));
+    DynamicCase<2> scene = sceneOf(std::move(assembly), {});
+    scene.schemes.effects.selection = EffectSelection::automatic;
+    scene.effects.push_back(std::make_shared<MovingSupports<2>>(std::vector<SupportMotion<2>>{
+        {.support = 0,
+         .velocity = tabulatedAcceleration({0.205, 0.3, 0.395}, {0, 0.1, 0}, Interpolation::linear,
+                                           OutOfBounds::zero)}}));
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    std::vector<long> proved;
+    for (const int steps : {100, 100, 100})
+    {
+        for (int step = 0; step < steps; ++step)
+        {
+            ASSERT_TRUE(advance(scene, motion, timeStep));
+        }
+        proved.push_back(motion.effectUse.atRest);
+    }
+    EXPECT_EQ(proved[0], 100);
+    EXPECT_GE(proved[1], 102);
+    EXPECT_LE(proved[1], 104); // it moves from 0.205 s to 0.395 s
+    EXPECT_GE(proved[2], 200);
+    EXPECT_NEAR(motion.state.placements[1].translation.x(), 0.0095, 1e-9);
 }
 
 // Hung in the air, tilted too far, or moving: no proof, and what happens happens.
@@ -410,7 +471,55 @@ void withBonds(DynamicCase<Dim>& scene, unsigned seed)
     }
 }
 
+/// Joints that give way, and a ground that is still until it is pushed.
+template<int Dim>
+void withElasticity(DynamicCase<Dim>& scene, unsigned seed)
+{
+    scene.schemes.timeIntegration.theta = 1;
+    scene.contact.restitution.reset();
+    scene.contact.cohesion.reset();
+    scene.contact.tension.reset();
+    scene.effects = {
+        std::make_shared<JointElasticity<Dim>>(Elasticity{1e8 * (1 + seed % 5), 5e7 * (1 + seed % 7)}),
+        std::make_shared<MassDamping<Dim>>(Damping{20})};
+    GroundMotion::Component component;
+    component.acceleration = std::make_shared<RectangularPulse>(PulseShape{0.2 * (seed % 8), 0.02, 0.15});
+    setGroundMotion<Dim>(scene.effects, {{component}});
+}
+
+/// A ground that moves from 0.03 to 0.06 s.
+template<int Dim>
+void withMovingGround(DynamicCase<Dim>& scene, unsigned seed)
+{
+    scene.schemes.timeIntegration.theta = 1;
+    const double speed = 0.02 * (1 + seed % 6);
+    scene.effects.push_back(std::make_shared<MovingSupports<Dim>>(std::vector<SupportMotion<Dim>>{
+        {.support = 0,
+         .velocity = tabulatedAcceleration({0.03, 0.045, 0.06}, {0, speed, 0}, Interpolation::linear,
+                                           OutOfBounds::zero)}}));
+}
+
 } // namespace
+
+// Points that give way rest while the load stays as it is, and supports that move at times are at rest at
+// others.
+TEST(ProvedRest, RandomWallsWithElasticJointsOrMovingGroundMoveAsWithEverythingOn)
+{
+    for (const auto change : {withElasticity<2>, withMovingGround<2>})
+    {
+        const StepCounts plane = verifyRandomWalls<2>(40, 60001, std::nullopt, randomWalls::wall<2>, change);
+        EXPECT_GT(plane.atRest, 0.1 * plane.steps);
+        EXPECT_EQ(plane.unsolved, 0);
+        EXPECT_EQ(plane.unverified, 0);
+    }
+    for (const auto change : {withElasticity<3>, withMovingGround<3>})
+    {
+        const StepCounts space = verifyRandomWalls<3>(10, 60001, std::nullopt, randomWalls::wall<3>, change);
+        EXPECT_GT(space.atRest, 0.05 * space.steps);
+        EXPECT_EQ(space.unsolved, 0);
+        EXPECT_EQ(space.unverified, 0);
+    }
+}
 
 // A step without an impact is the same without restitution, and one in which friction alone holds what bonds
 // could hold too is the same without these.
@@ -508,6 +617,22 @@ TEST(NightlyProvedRest, HundredsOfRandomStructuresWithRestitutionOrBondsMoveAsWi
                       + verifyRandomWalls<3>(150, 960001, coulomb, randomWalls::wall<3>, change).unverified;
     }
     EXPECT_LE(unverified, 5); // of 72,000 steps
+}
+
+TEST(NightlyProvedRest, HundredsOfRandomStructuresWithElasticJointsOrMovingGroundMoveAsWithEverythingOn)
+{
+    long unverified = 0;
+    for (const auto change : {withElasticity<2>, withMovingGround<2>})
+    {
+        unverified += verifyRandomWalls<2>(300, 970001, {}, randomWalls::wall<2>, change).unverified
+                      + verifyRandomWalls<2>(200, 980001, {}, randomWalls::towers<2>, change).unverified;
+    }
+    for (const auto change : {withElasticity<3>, withMovingGround<3>})
+    {
+        unverified += verifyRandomWalls<3>(50, 990001, {}, randomWalls::wall<3>, change).unverified
+                      + verifyRandomWalls<3>(50, 995001, {}, randomWalls::towers<3>, change).unverified;
+    }
+    EXPECT_LE(unverified, 5); // of 48,000 steps
 }
 
 TEST(NightlyProvedRest, MoreThanAThousandRandomTowersMoveAsWithEverythingOn)
