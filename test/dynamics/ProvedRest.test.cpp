@@ -487,6 +487,38 @@ void withElasticity(DynamicCase<Dim>& scene, unsigned seed)
     setGroundMotion<Dim>(scene.effects, {{component}});
 }
 
+/// A wall whose ground ends below it, where another begins.
+template<int Dim>
+Assembly<Dim> wallOnTwoGrounds(std::mt19937& random)
+{
+    Assembly<Dim> assembly = randomWalls::wall<Dim>(random);
+    const double depth = randomWalls::between(random, 0.6, 1);
+    const double edge = randomWalls::between(random, 0.1, 1);
+    assembly.blocks.front() = randomWalls::box<Dim>(-5, edge, -1, 0, depth);
+    assembly.blocks.front().support = 0;
+    assembly.supports.push_back({"right", "ground"});
+    assembly.blocks.push_back(randomWalls::box<Dim>(edge, 10, -1, 0, depth));
+    assembly.blocks.back().support = 1;
+    return assembly;
+}
+
+/// The ground to the right settles, moves away or turns from 0.03 to 0.06 s.
+template<int Dim>
+void withMovingRight(DynamicCase<Dim>& scene, unsigned seed)
+{
+    scene.schemes.timeIntegration.theta = 1;
+    const double speed = 0.02 * (1 + seed % 6);
+    const std::shared_ptr<const GroundAcceleration> history =
+        tabulatedAcceleration({0.03, 0.045, 0.06}, {0, speed, 0}, Interpolation::linear, OutOfBounds::zero);
+    SupportMotion<Dim> right;
+    right.support = 1;
+    right.direction =
+        seed % 3 == 0 ? Vector<Dim>(Vector<Dim>::UnitX()) : Vector<Dim>(-Vector<Dim>::Unit(Dim - 1));
+    (seed % 3 < 2 ? right.velocity : right.angularVelocity) = history;
+    scene.effects.push_back(
+        std::make_shared<MovingSupports<Dim>>(std::vector<SupportMotion<Dim>>{std::move(right)}));
+}
+
 /// A ground that moves from 0.03 to 0.06 s.
 template<int Dim>
 void withMovingGround(DynamicCase<Dim>& scene, unsigned seed)
@@ -633,6 +665,14 @@ TEST(NightlyProvedRest, HundredsOfRandomStructuresWithElasticJointsOrMovingGroun
                       + verifyRandomWalls<3>(50, 995001, {}, randomWalls::towers<3>, change).unverified;
     }
     EXPECT_LE(unverified, 5); // of 48,000 steps
+}
+
+TEST(NightlyProvedRest, HundredsOfRandomWallsOnAGroundThatMovesInPartMoveAsWithEverythingOn)
+{
+    const StepCounts plane = verifyRandomWalls<2>(300, 970001, {}, wallOnTwoGrounds<2>, withMovingRight<2>);
+    const StepCounts space = verifyRandomWalls<3>(50, 990001, {}, wallOnTwoGrounds<3>, withMovingRight<3>);
+    EXPECT_GT(plane.inPart, 0.02 * plane.steps);
+    EXPECT_LE(plane.unverified + space.unverified, 5); // of 14,000 steps
 }
 
 TEST(NightlyProvedRest, MoreThanAThousandRandomTowersMoveAsWithEverythingOn)
