@@ -149,6 +149,9 @@ void account(Step<Dim>& step)
     motion.slides = step.solved.slides;
     motion.overlapsLeft = step.overlapsLeft;
     motion.collisions = step.solved.collides ? motion.collisions + 1 : 0;
+    motion.stepsInVain = step.isInVain          ? motion.stepsInVain + 1
+                         : step.isAwake.empty() ? motion.stepsInVain
+                                                : 0;
     motion.isAwake = std::move(step.isAwake);
     motion.bodies = std::move(step.bodies);
     motion.effectUse.sticking += step.solved.sticks ? 1 : 0;

@@ -7,6 +7,7 @@
 #include "dynamics/TurnedGroups.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace drystone
 {
@@ -16,11 +17,22 @@ namespace
 /// Fewer bodies than this share of the blocks, or it does not pay.
 constexpr double mostBodies = 0.7;
 
+/// With more bodies than this share of the blocks a try has gained little.
+constexpr double muchFewer = 0.5;
+
 /// Where a guess is not proved it is changed so many times less one.
 constexpr int attempts = 3;
 
 /// More bodies than this, where some of them are expected at rest, cost nearly what all blocks do.
 constexpr double mostBodiesWithBuffer = 0.5;
+
+/// Whether fewer bodies are worth a try after so many steps in a row without: less and less often, as a
+/// structure that breaks goes on breaking.
+bool isWorthATry(int stepsInVain)
+{
+    constexpr int seldom = 16;
+    return stepsInVain % seldom == 0 || std::has_single_bit(static_cast<unsigned>(stepsInVain));
+}
 
 /// See Step::isShared.
 template<int Dim>
@@ -174,6 +186,11 @@ bool solveAwake(Step<Dim>& step)
     {
         return false;
     }
+    step.isInVain = !isWorthATry(step.motion.stepsInVain);
+    if (step.isInVain)
+    {
+        return false;
+    }
     // Work in vain takes nothing from the step with all blocks, which is solved as if it had come first.
     const double done = step.motion.work.done;
     GroupChoice<Dim> choice(step);
@@ -197,8 +214,10 @@ bool solveAwake(Step<Dim>& step)
         if (outcome.isProved)
         {
             keepGroups(step, groups);
+            step.isInVain = groups.count() > muchFewer * program.bodies;
             return true;
         }
+        step.isInVain = true;
         choice.change(outcome.failing);
     }
     step.motion.work.done = done;

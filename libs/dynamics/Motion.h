@@ -35,8 +35,8 @@ private:
 };
 
 /// All that changes in a run. What a run needs to continue bit for bit is `state`, `energy`, `residuals`,
-/// `points`, `contactForces`, `meanForces`, `interior`, `effectStates`, `slides`, `collisions` and
-/// `overlapsLeft`; the analyses, `contacts` and `restProof` are found again from these.
+/// `points`, `contactForces`, `meanForces`, `interior`, `effectStates`, `slides`, `collisions`,
+/// `stepsInVain` and `overlapsLeft`; the analyses, `contacts` and `restProof` are found again from these.
 template<int Dim>
 struct Motion
 {
@@ -72,6 +72,8 @@ struct Motion
     bool slides = false;     ///< see Step.h, of the last step
     int overlapsLeft = 0;    ///< steps to come that close no overlaps, since one was not solved otherwise
     int collisions = 0;      ///< steps in a row up to the last one in which points collided, see Step.h
+    int stepsInVain =
+        0; ///< steps in a row up to the last one in which fewer bodies gained little (HeldBlocks.h)
     std::vector<double> effectCalls; ///< of the last step, see EffectCalls.h, with `automatic`; else empty
     EffectUse effectUse;             ///< of this run
 };

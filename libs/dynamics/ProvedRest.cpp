@@ -142,6 +142,7 @@ bool staysAtRest(Step<Dim>& step)
     motion.restitutionShare = 1;
     motion.slides = false;
     motion.collisions = 0;
+    motion.stepsInVain = 0;
     motion.attempt = {};
     motion.attempt.initialResidual = rest.certificate.worst();
     motion.attempt.primalResidual = rest.certificate.primalResidual;

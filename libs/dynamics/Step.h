@@ -120,6 +120,7 @@ struct Step
     int overlapsLeft = 0;          ///< see Motion, after the step
     std::vector<char> isAwake;     ///< likewise
     std::vector<int> bodies;       ///< likewise
+    bool isInVain = false; ///< fewer bodies were tried and gained little, or were not tried, as they had not
     /// Of each free block, whether it is taken as one body with others, so that forces between them are not
     /// known yet and its moments follow from its motion; empty: none is.
     std::vector<char> isShared;

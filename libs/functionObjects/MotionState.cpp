@@ -222,6 +222,10 @@ Motion<Dim> motionOf(const DynamicCase<Dim>& scene, const State& saved)
         motion.slides = stateScalar(saved, "stepSlides") != 0;
         motion.collisions = countOf<int>(saved, "stepCollisions");
     }
+    if (saved.scalars.contains("stepsInVain"))
+    {
+        motion.stepsInVain = countOf<int>(saved, "stepsInVain");
+    }
     if (saved.scalars.contains("stepOverlapsLeft"))
     {
         motion.overlapsLeft = countOf<int>(saved, "stepOverlapsLeft");
@@ -303,6 +307,7 @@ State stateOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Ti
     {
         state.scalars["stepSlides"] = motion.slides ? 1 : 0;
         state.scalars["stepCollisions"] = motion.collisions;
+        state.scalars["stepsInVain"] = motion.stepsInVain;
     }
     if (motion.overlapsLeft > 0)
     {
