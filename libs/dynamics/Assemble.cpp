@@ -125,6 +125,19 @@ StepGuess guessFrom(const Motion<Dim>& motion, const std::vector<ContactPoint<Di
     return guess;
 }
 
+/// Friction coefficient of each point, by name only where the blocks were never near each other before.
+template<int Dim>
+std::vector<double> learnFriction(const Step<Dim>& step)
+{
+    const DynamicCase<Dim>& scene = step.scene;
+    FrictionOfJoints& known = step.motion.jointFriction;
+    const FrictionOfJoints ofNew = frictionOfNewPairs(scene.contact, scene.assembly, known, step.points);
+    const auto before = static_cast<std::ptrdiff_t>(known.size());
+    known.insert(known.end(), ofNew.begin(), ofNew.end());
+    std::inplace_merge(known.begin(), known.begin() + before, known.end());
+    return frictionAt(scene.contact, scene.assembly, known, step.points);
+}
+
 } // namespace
 
 template<int Dim>
@@ -132,7 +145,7 @@ void assemble(Step<Dim>& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::assemble);
     step.program = thetaStepProgram(step.mass, step.motion.state.velocity, step.load, step.points,
-                                    step.columns, frictionAt(step.scene, step.points), step.scheme);
+                                    step.columns, learnFriction(step), step.scheme);
     step.loadAtStart = step.program.load;
     step.guess =
         guessFrom(step.motion, step.points, step.scheme.timeStep, traitsOf(step.scene.effects).isCompliant);
