@@ -4,6 +4,7 @@
 #include "dynamics/PartedStep.h"
 
 #include "dynamics/PointsOfPair.h"
+#include "dynamics/UnpartedStep.h"
 
 #include <algorithm>
 #include <optional>
