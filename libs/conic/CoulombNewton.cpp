@@ -16,8 +16,7 @@ namespace
 using Eigen::VectorXd;
 
 /// rho, relative to the mass that a point moves. Small enough to begin with for Newton's method to find its
-/// way among the states of the points, and growing slowly while it does: measured on the paper's walls in
-/// collapse, from 1e4, or growing tenfold, many steps do not end.
+/// way among the states of the points, and growing slowly while it does.
 constexpr double firstPenalty = 1e3;
 constexpr double stiffestPenalty = 1e10;
 constexpr double penaltyGrowth = 3;

@@ -17,9 +17,8 @@ namespace
 {
 
 /// A start with such a certificate is worth some steps of the augmented Lagrangian, with a large penalty,
-/// which keeps what is right in it and ends with the right active set, so that the next step takes one: wall
-/// 6 collapsing with small displacements to 1e-6 takes 2 factorisations a step, and 9 if it gives up after 4
-/// steps. From further away the interior point is quicker.
+/// which keeps what is right in it and ends with the right active set, so that the next step takes one. From
+/// further away the interior point is quicker.
 constexpr double nearby = 1e-4;
 constexpr int mostStepsFromNearby = 24;
 constexpr double penaltyFromNearby = 1e4;
@@ -33,7 +32,7 @@ constexpr std::array penaltiesOfLastDigits{1e7, 1e5, 1e3, 1e9};
 constexpr double astray = 1;
 
 /// Down to here the interior point is tried once more where the active set does not settle, with all digits
-/// requested: wall 6 under a record, to 1e-12.
+/// requested.
 constexpr double lastDigits = 1e-13;
 
 } // namespace

@@ -306,6 +306,27 @@ void MovingContacts<2>::guardCorners(double margin)
     // where four blocks meet, but where the motion ahead crosses all the lines; then they get the one that it
     // crosses last.
     const double level = 10 * pointTolerance;
+    const auto isBetter = [level](const Candidate& line, const Candidate& best)
+    {
+        const bool isLevel = std::abs(line.gap) <= level;
+        const bool isBestLevel = std::abs(best.gap) <= level;
+        return best.edge < 0 || (isLevel && !isBestLevel)
+               || (isLevel == isBestLevel && line.gapAhead > best.gapAhead);
+    };
+    const auto bestLine = [&](int blockCorner, int neighbourCorner)
+    {
+        Candidate best{0, -1, -1, -1, 0, 0, 0};
+        const CornerLines lines = linesBetween(blockCorner, neighbourCorner, *placedAhead, nearlyForemost);
+        for (int i = 0; i < lines.count; ++i)
+        {
+            const Candidate& line = lines.line[i];
+            if (line.gap >= -pointTolerance && isBetter(line, best))
+            {
+                best = line;
+            }
+        }
+        return best;
+    };
     for (int blockCorner = first[pairBlock]; blockCorner < first[pairBlock + 1]; ++blockCorner)
     {
         for (int neighbourCorner = first[pairNeighbour]; neighbourCorner < first[pairNeighbour + 1];
@@ -318,22 +339,7 @@ void MovingContacts<2>::guardCorners(double margin)
                 continue;
             }
             const bool areAtOnePlace = apart < level * level;
-            Candidate best{0, -1, -1, -1, 0, 0, 0};
-            bool bestIsLevel = false;
-            const CornerLines lines =
-                linesBetween(blockCorner, neighbourCorner, *placedAhead, nearlyForemost);
-            for (int i = 0; i < lines.count; ++i)
-            {
-                const Candidate& line = lines.line[i];
-                const bool isLevel = std::abs(line.gap) <= level;
-                if (line.gap >= -pointTolerance
-                    && (best.edge < 0 || (isLevel && !bestIsLevel)
-                        || (isLevel == bestIsLevel && line.gapAhead > best.gapAhead)))
-                {
-                    best = line;
-                    bestIsLevel = isLevel;
-                }
-            }
+            const Candidate best = bestLine(blockCorner, neighbourCorner);
             const bool closes = best.gap - best.gapAhead > sameCorner * pointTolerance;
             if (best.edge >= 0 && (areAtOnePlace ? closes : best.gapAhead > pointTolerance))
             {

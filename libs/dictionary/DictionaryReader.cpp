@@ -303,7 +303,7 @@ private:
     {
         const SourceLocation location = locationOf(reading, macro);
         const std::string name = nameOf(reading, macro.text, location);
-        const Entry* entry = lookUp(name, reading.scopes, true);
+        const Entry* entry = lookUp(name, reading.scopes);
         if (!entry)
         {
             failUndefined(reading.scopes, name, location);

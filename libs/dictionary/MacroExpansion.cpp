@@ -25,7 +25,7 @@ std::string textOfMacro(const DictionaryReading& reading, std::string_view macro
 {
     const std::string name = nameOf(reading, macro, location, depth);
     const auto [plainName, fallback] = withFallback(name);
-    const Entry* entry = lookUp(plainName, reading.scopes, true);
+    const Entry* entry = lookUp(plainName, reading.scopes);
     if (!entry)
     {
         if (const char* variable = std::getenv(plainName.c_str()))
@@ -154,7 +154,7 @@ void expandMacro(DictionaryReading& reading, const Token& macro, std::vector<Tok
 {
     const SourceLocation location = locationOf(reading, macro);
     const auto [name, fallback] = withFallback(nameOf(reading, macro.text, location));
-    const Entry* entry = lookUp(name, reading.scopes, true);
+    const Entry* entry = lookUp(name, reading.scopes);
     if (!entry)
     {
         const char* variable = std::getenv(name.c_str());

@@ -32,34 +32,54 @@ const Entry* dotted(const Dictionary& dictionary, std::string_view name)
     return dictionary.find(name);
 }
 
+/// /a/b, ../a/b or ./a/b.
+const Entry* byPath(std::string_view name, std::vector<Dictionary*> visible)
+{
+    if (name.front() == '/')
+    {
+        visible.resize(1);
+        name.remove_prefix(1);
+    }
+    while (name.starts_with("../") || name.starts_with("./"))
+    {
+        if (name.starts_with("./"))
+        {
+            name.remove_prefix(2);
+            continue;
+        }
+        if (visible.size() == 1)
+        {
+            return nullptr;
+        }
+        visible.pop_back();
+        name.remove_prefix(3);
+    }
+    return visible.back()->findPath(name);
+}
+
+/// .a or ..a.b, whose points but the first each lead one level up: in that scope alone.
+const Entry* fromScope(std::string_view name, std::vector<Dictionary*> visible)
+{
+    name.remove_prefix(1);
+    while (name.starts_with('.'))
+    {
+        if (visible.size() == 1)
+        {
+            return nullptr;
+        }
+        visible.pop_back();
+        name.remove_prefix(1);
+    }
+    return dotted(*visible.back(), name);
+}
+
 } // namespace
 
-const Entry* lookUp(std::string_view name, std::vector<Dictionary*> visible, bool outwards)
+const Entry* lookUp(std::string_view name, std::vector<Dictionary*> visible)
 {
     if (name.find('/') != std::string_view::npos)
     {
-        if (name.front() == '/')
-        {
-            visible.resize(1);
-            name.remove_prefix(1);
-        }
-        while (name.starts_with("../") || name.starts_with("./"))
-        {
-            if (name.starts_with("../"))
-            {
-                if (visible.size() == 1)
-                {
-                    return nullptr;
-                }
-                visible.pop_back();
-                name.remove_prefix(3);
-            }
-            else
-            {
-                name.remove_prefix(2);
-            }
-        }
-        return visible.back()->findPath(name);
+        return byPath(name, std::move(visible));
     }
     if (name.starts_with(':') || name.starts_with('^'))
     {
@@ -68,27 +88,13 @@ const Entry* lookUp(std::string_view name, std::vector<Dictionary*> visible, boo
     }
     if (name.starts_with('.'))
     {
-        name.remove_prefix(1);
-        while (name.starts_with('.'))
-        {
-            if (visible.size() == 1)
-            {
-                return nullptr;
-            }
-            visible.pop_back();
-            name.remove_prefix(1);
-        }
-        outwards = false;
+        return fromScope(name, std::move(visible));
     }
     for (auto scope = visible.rbegin(); scope != visible.rend(); ++scope)
     {
         if (const Entry* entry = dotted(**scope, name))
         {
             return entry;
-        }
-        if (!outwards)
-        {
-            break;
         }
     }
     return nullptr;

@@ -14,9 +14,9 @@ namespace drystone
 {
 
 /// The entry that a name stands for: a, a.b, .a (here), ..a (one level up), :a.b and /a/b (from the top),
-/// ../a. \param visible scopes that it is seen from, the innermost last \param outwards whether those around
-/// the innermost count too \return null where there is none; owned by its dictionary
-const Entry* lookUp(std::string_view name, std::vector<Dictionary*> visible, bool outwards);
+/// ../a. \param visible scopes that it is seen from, the innermost last \return null where there is none;
+/// owned by its dictionary
+const Entry* lookUp(std::string_view name, std::vector<Dictionary*> visible);
 
 /// `name:-value` as in a shell: the value when there is no such entry.
 std::pair<std::string, std::optional<std::string>> withFallback(const std::string& name);

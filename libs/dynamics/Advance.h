@@ -30,7 +30,7 @@ namespace drystone
 /// (PartedStep.h).
 ///
 /// \return whether the step was solved and is taken (StepFault); otherwise nothing but `attempt`, `work`,
-/// `stageTimes`, and what is kept to find things again (the analyses, `contacts`, `restProof`), has changed
+/// `stageTimes`, and what is found again (analyses, `contacts`, `restProof`, `jointFriction`), has changed
 template<int Dim>
 bool advance(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep);
 

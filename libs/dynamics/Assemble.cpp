@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The second stage of a step: the program of rigid blocks, and what the last step tells about its solution.
+#include "dynamics/PointsOfPair.h"
 #include "dynamics/Step.h"
 
 #include <algorithm>
@@ -22,21 +23,15 @@ std::vector<int> pointsAmong(const std::vector<ContactPoint<Dim>>& earlier,
         std::iota(old.begin(), old.end(), 0);
         return old;
     }
-    // Both lists are sorted by (block, neighbour); a pair has a handful of points.
-    std::size_t first = 0;
     for (std::size_t point = 0; point < points.size(); ++point)
     {
-        const auto pairOf = [](const ContactPoint<Dim>& p) { return std::pair(p.block, p.neighbour); };
-        while (first < earlier.size() && pairOf(earlier[first]) < pairOf(points[point]))
+        const auto [first, last] =
+            entriesOf(pairOf(points[point]), earlier.begin(), earlier.end(), pairOf<Dim>);
+        for (auto there = first; there != last; ++there)
         {
-            ++first;
-        }
-        for (std::size_t there = first;
-             there < earlier.size() && pairOf(earlier[there]) == pairOf(points[point]); ++there)
-        {
-            if (isSameFeature<Dim>(earlier[there].feature, points[point].feature))
+            if (isSameFeature<Dim>(there->feature, points[point].feature))
             {
-                old[point] = static_cast<int>(there);
+                old[point] = static_cast<int>(there - earlier.begin());
             }
         }
     }
@@ -68,15 +63,23 @@ void addPointsPassed(const std::vector<ContactPoint<2>>& earlier, const std::vec
     }
     for (std::size_t point = 0; point < points.size(); ++point)
     {
-        for (std::size_t there = 0; old[point] < 0 && there < earlier.size(); ++there)
+        if (old[point] >= 0)
         {
-            if (!isTaken[there] && earlier[there].block == points[point].block
-                && earlier[there].neighbour == points[point].neighbour
-                && havePassedEachOther(earlier[there].feature, points[point].feature))
-            {
-                isTaken[there] = 1;
-                old[point] = static_cast<int>(there);
-            }
+            continue;
+        }
+        const auto [first, last] =
+            entriesOf(pairOf(points[point]), earlier.begin(), earlier.end(), pairOf<2>);
+        const auto there =
+            std::find_if(first, last,
+                         [&](const ContactPoint<2>& other)
+                         {
+                             return !isTaken[static_cast<std::size_t>(&other - earlier.data())]
+                                    && havePassedEachOther(other.feature, points[point].feature);
+                         });
+        if (there != last)
+        {
+            old[point] = static_cast<int>(there - earlier.begin());
+            isTaken[static_cast<std::size_t>(old[point])] = 1;
         }
     }
 }
@@ -125,6 +128,19 @@ StepGuess guessFrom(const Motion<Dim>& motion, const std::vector<ContactPoint<Di
     return guess;
 }
 
+/// Friction coefficient of each point, by name only where the blocks were never near each other before.
+template<int Dim>
+std::vector<double> learnFriction(const Step<Dim>& step)
+{
+    const DynamicCase<Dim>& scene = step.scene;
+    FrictionOfJoints& known = step.motion.jointFriction;
+    const FrictionOfJoints ofNew = frictionOfNewPairs(scene.contact, scene.assembly, known, step.points);
+    const auto before = static_cast<std::ptrdiff_t>(known.size());
+    known.insert(known.end(), ofNew.begin(), ofNew.end());
+    std::inplace_merge(known.begin(), known.begin() + before, known.end());
+    return frictionAt(scene.contact, scene.assembly, known, step.points);
+}
+
 } // namespace
 
 template<int Dim>
@@ -132,7 +148,7 @@ void assemble(Step<Dim>& step)
 {
     const StageTimer timer(step.motion.stageTimes, Stage::assemble);
     step.program = thetaStepProgram(step.mass, step.motion.state.velocity, step.load, step.points,
-                                    step.columns, frictionAt(step.scene, step.points), step.scheme);
+                                    step.columns, learnFriction(step), step.scheme);
     step.loadAtStart = step.program.load;
     step.guess =
         guessFrom(step.motion, step.points, step.scheme.timeStep, traitsOf(step.scene.effects).isCompliant);

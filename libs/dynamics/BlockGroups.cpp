@@ -88,10 +88,12 @@ std::vector<Vector<Dim>> centresOfBodies(const Step<Dim>& step)
     return centre;
 }
 
-template<int Dim>
-BlockGroups<Dim> blockGroups(const Step<Dim>& step, std::vector<int> group)
+namespace
 {
-    BlockGroups<Dim> groups;
+
+/// Renumbers groups in the order of their first blocks. \return how many there are
+int numberConsecutively(std::vector<int>& group)
+{
     const int largest = group.empty() ? -1 : *std::max_element(group.begin(), group.end());
     std::vector<int> numbers(static_cast<std::size_t>(largest + 1), -1);
     int count = 0;
@@ -104,19 +106,30 @@ BlockGroups<Dim> blockGroups(const Step<Dim>& step, std::vector<int> group)
             number = consecutive;
         }
     }
-    groups.group = std::move(group);
-    groups.blocks.resize(static_cast<std::size_t>(count));
+    return count;
+}
+
+std::vector<std::vector<int>> blocksOfGroups(const std::vector<int>& group, int count)
+{
+    std::vector<std::vector<int>> blocks(static_cast<std::size_t>(count));
     if (count == 1)
     {
-        groups.blocks.front().reserve(groups.group.size());
+        blocks.front().reserve(group.size());
     }
-    for (std::size_t body = 0; body < groups.group.size(); ++body)
+    for (std::size_t body = 0; body < group.size(); ++body)
     {
-        if (groups.group[body] >= 0)
+        if (group[body] >= 0)
         {
-            groups.blocks[static_cast<std::size_t>(groups.group[body])].push_back(static_cast<int>(body));
+            blocks[static_cast<std::size_t>(group[body])].push_back(static_cast<int>(body));
         }
     }
+    return blocks;
+}
+
+/// Finds the arms of blocks from the mass centres of their groups, and the spread of these.
+template<int Dim>
+void measureGroups(const Step<Dim>& step, BlockGroups<Dim>& groups)
+{
     const std::vector<Vector<Dim>> centre = centresOfBodies(step);
     const auto massOf = [&step](int body)
     { return step.program.inertia[static_cast<std::size_t>(body)](0, 0); };
@@ -146,14 +159,32 @@ BlockGroups<Dim> blockGroups(const Step<Dim>& step, std::vector<int> group)
             groups.spread[number] += (massOf(body) * arm).lazyProduct(arm.transpose());
         }
     }
-    groups.outer.reserve(step.program.contacts.size());
-    groups.inner.reserve(step.program.contacts.size());
-    for (std::size_t point = 0; point < step.program.contacts.size(); ++point)
+}
+
+template<int Dim>
+void sortPoints(const StepProgram<Dim>& program, BlockGroups<Dim>& groups)
+{
+    groups.outer.reserve(program.contacts.size());
+    groups.inner.reserve(program.contacts.size());
+    for (std::size_t point = 0; point < program.contacts.size(); ++point)
     {
-        const auto& contact = step.program.contacts[point];
+        const auto& contact = program.contacts[point];
         (groups.of(contact.first) != groups.of(contact.second) ? groups.outer : groups.inner)
             .push_back(point);
     }
+}
+
+} // namespace
+
+template<int Dim>
+BlockGroups<Dim> blockGroups(const Step<Dim>& step, std::vector<int> group)
+{
+    BlockGroups<Dim> groups;
+    const int count = numberConsecutively(group);
+    groups.group = std::move(group);
+    groups.blocks = blocksOfGroups(groups.group, count);
+    measureGroups(step, groups);
+    sortPoints(step.program, groups);
     return groups;
 }
 

@@ -17,22 +17,24 @@ namespace
 /// From the forces of the last step it ends soon or not at all.
 constexpr int newtonStepsFromLastStep = 20;
 
-/// With gaps as they are. \param program its gaps without what the flow opens; with it on return
-/// \return whether it was reached; otherwise the step is as it was but for the work counted
+/// With gaps as they are. \param program that of the problem, linearised about where the start leads; with
+/// what the flow opens on return \return whether it was reached; otherwise the step is as it was but for the
+/// work counted
 template<int Dim>
-bool solveFlow(ThetaStep& step, StepProgram<Dim>& program, const ConeSolution& start,
-               const StepSettings& settings, double gapTolerance, int mostNewtonSteps,
-               SymbolicAnalysis& symbolic)
+bool solveWithGivenGaps(ThetaStep& step, StepProgram<Dim>& program, const FlowProblem<Dim>& problem,
+                        const ConeSolution& start, const NewtonEffort& effort)
 {
     constexpr double beyond = 1e-3; // nearly for nothing: the last Newton step is exact
+    const StepSettings& settings = problem.settings;
     ConeSolution solution = solveCoulombNewton(
-        program, start, {beyond * settings.solver.tolerance, gapTolerance, mostNewtonSteps}, symbolic);
+        program, start, {beyond * settings.solver.tolerance, effort.gapTolerance, effort.steps},
+        problem.symbolic);
     addWork(step, solution);
     if (solution.status != SolveStatus::optimal)
     {
         return false;
     }
-    takeOver(step, program, std::move(solution), settings, gapTolerance, 0);
+    takeOver(step, program, std::move(solution), settings, effort.gapTolerance, 0);
     return true;
 }
 
@@ -114,21 +116,22 @@ double errorOfFlow(const Eigen::VectorXd& imposed, const Eigen::VectorXd& openin
 }
 
 template<int Dim>
-bool solveFlow(ThetaStep& step, StepProgram<Dim> program, ConeSolution start, const Eigen::VectorXd& heading,
-               const StepSettings& settings, const Relinearisation<Dim>& relinearise,
-               const NewtonEffort& effort, SymbolicAnalysis& symbolic)
+bool solveFlow(ThetaStep& step, const FlowProblem<Dim>& problem, ConeSolution start,
+               const NewtonEffort& effort)
 {
     constexpr double partOfStep = 1e-3;
+    const StepSettings& settings = problem.settings;
+    const Relinearisation<Dim>& relinearise = problem.relinearise;
+    StepProgram<Dim> program = problem.program;
     for (int round = 0; round <= mostRelinearisations; ++round)
     {
+        const auto change = [&] {
+            return farthestMotion<Dim>(Eigen::VectorXd(start.displacement - problem.expected),
+                                       settings.blockSize);
+        };
+        const double gapTolerance = relinearise ? std::min(effort.gapTolerance, partOfStep * change()) : 0;
         StepProgram<Dim> flowing = program;
-        const double gapTolerance =
-            relinearise ? std::min(
-                effort.gapTolerance,
-                partOfStep
-                    * farthestMotion<Dim>(Eigen::VectorXd(start.displacement - heading), settings.blockSize))
-                        : 0;
-        if (!solveFlow(step, flowing, start, settings, gapTolerance, effort.steps, symbolic))
+        if (!solveWithGivenGaps(step, flowing, problem, start, {effort.steps, gapTolerance}))
         {
             return false;
         }
@@ -150,18 +153,19 @@ bool solveFlow(ThetaStep& step, StepProgram<Dim> program, ConeSolution start, co
 }
 
 template<int Dim>
-bool goesOnFromLastStep(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolution& start,
-                        const Eigen::VectorXd& heading, const StepSettings& settings,
-                        const Relinearisation<Dim>& relinearise, Following following,
-                        SymbolicAnalysis& symbolic)
+bool goesOnFromLastStep(ThetaStep& step, const FlowProblem<Dim>& problem, const ConeSolution& start,
+                        Following following)
 {
+    const StepProgram<Dim>& program = problem.program;
+    const StepSettings& settings = problem.settings;
     if (settings.solver.solver != SolverType::automatic || program.hasCompliance()
         || start.contactForce.isZero(0))
     {
         return false;
     }
-    if (followFlow(step, program, start, settings, relinearise, following, symbolic)
-        && !mayRest(program, program.load - applyEquilibrium(program, step.contactForce)))
+    const auto isFarFromRest = [&]
+    { return !mayRest(program, program.load - applyEquilibrium(program, step.contactForce)); };
+    if (followFlow(step, problem, start, following) && isFarFromRest())
     {
         return true;
     }
@@ -172,34 +176,25 @@ bool goesOnFromLastStep(ThetaStep& step, const StepProgram<Dim>& program, const 
     const NewtonEffort effort{
         newtonStepsFromLastStep,
         std::min(settings.contactTolerance, settings.solver.tolerance * settings.blockSize)};
-    return solveFlow(step, program, start, heading, settings, relinearise, effort, symbolic)
-           && !mayRest(program, program.load - applyEquilibrium(program, step.contactForce));
+    return solveFlow(step, problem, start, effort) && isFarFromRest();
 }
 
 template Eigen::VectorXd dilatancy(const StepProgram<2>& program, const Eigen::VectorXd& closing,
                                    const Eigen::VectorXd& contactForce);
 template double errorOfFlow<2>(const Eigen::VectorXd& imposed, const Eigen::VectorXd& opening,
                                const Eigen::VectorXd& gap, const ThetaStep& step, double least);
-template bool solveFlow(ThetaStep& step, StepProgram<2> program, ConeSolution start,
-                        const Eigen::VectorXd& heading, const StepSettings& settings,
-                        const Relinearisation<2>& relinearise, const NewtonEffort& effort,
-                        SymbolicAnalysis& symbolic);
-template bool goesOnFromLastStep(ThetaStep& step, const StepProgram<2>& program, const ConeSolution& start,
-                                 const Eigen::VectorXd& heading, const StepSettings& settings,
-                                 const Relinearisation<2>& relinearise, Following following,
-                                 SymbolicAnalysis& symbolic);
+template bool solveFlow(ThetaStep& step, const FlowProblem<2>& problem, ConeSolution start,
+                        const NewtonEffort& effort);
+template bool goesOnFromLastStep(ThetaStep& step, const FlowProblem<2>& problem, const ConeSolution& start,
+                                 Following following);
 template Eigen::VectorXd dilatancy(const StepProgram<3>& program, const Eigen::VectorXd& closing,
                                    const Eigen::VectorXd& contactForce);
 template double errorOfFlow<3>(const Eigen::VectorXd& imposed, const Eigen::VectorXd& opening,
                                const Eigen::VectorXd& gap, const ThetaStep& step, double least);
-template bool solveFlow(ThetaStep& step, StepProgram<3> program, ConeSolution start,
-                        const Eigen::VectorXd& heading, const StepSettings& settings,
-                        const Relinearisation<3>& relinearise, const NewtonEffort& effort,
-                        SymbolicAnalysis& symbolic);
-template bool goesOnFromLastStep(ThetaStep& step, const StepProgram<3>& program, const ConeSolution& start,
-                                 const Eigen::VectorXd& heading, const StepSettings& settings,
-                                 const Relinearisation<3>& relinearise, Following following,
-                                 SymbolicAnalysis& symbolic);
+template bool solveFlow(ThetaStep& step, const FlowProblem<3>& problem, ConeSolution start,
+                        const NewtonEffort& effort);
+template bool goesOnFromLastStep(ThetaStep& step, const FlowProblem<3>& problem, const ConeSolution& start,
+                                 Following following);
 template void takeOver(ThetaStep& step, StepProgram<2>& program, ConeSolution solution,
                        const StepSettings& settings, double gapTolerance, double backwards);
 template void takeOver(ThetaStep& step, StepProgram<3>& program, ConeSolution solution,

@@ -37,20 +37,16 @@ void takeOver(ThetaStep& step, StepProgram<Dim>& program, ConeSolution solution,
 /// Coulomb's law by Newton's method, with gaps that are right where the blocks end up. Closed rings of blocks
 /// are mobile to first order only: as they move, some points open by the square of their displacements, and
 /// which of them carries what is then decided by less than contactTolerance. So gaps are taken as known to
-/// that, or to a thousandth of what the step changes the motion by, if that is less. \param program its gaps
-/// without what the flow opens \param heading dt v0 \return whether it was reached; otherwise the step is as
-/// it was but for the work counted
+/// that, or to a thousandth of what the step changes the motion by, if that is less. \return whether it was
+/// reached; otherwise the step is as it was but for the work counted
 template<int Dim>
-bool solveFlow(ThetaStep& step, StepProgram<Dim> program, ConeSolution start, const Eigen::VectorXd& heading,
-               const StepSettings& settings, const Relinearisation<Dim>& relinearise,
-               const NewtonEffort& effort, SymbolicAnalysis& symbolic);
+bool solveFlow(ThetaStep& step, const FlowProblem<Dim>& problem, ConeSolution start,
+               const NewtonEffort& effort);
 
 /// Coulomb's law from the forces of the last step, without a program: with `automatic` alone, since every
 /// other solver is requested by name, and not near rest, which only a program tells from slow motion.
 template<int Dim>
-bool goesOnFromLastStep(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolution& start,
-                        const Eigen::VectorXd& heading, const StepSettings& settings,
-                        const Relinearisation<Dim>& relinearise, Following following,
-                        SymbolicAnalysis& symbolic);
+bool goesOnFromLastStep(ThetaStep& step, const FlowProblem<Dim>& problem, const ConeSolution& start,
+                        Following following);
 
 } // namespace drystone

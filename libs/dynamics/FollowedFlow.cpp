@@ -65,14 +65,24 @@ double stiffnessFor(const StepProgram<Dim>& program, double force, double overla
 template<int Dim>
 using PathOf = ContactPath<freedomCount<Dim>, Dim>;
 
-/// A program whose flow is followed, and what counts the work.
+/// A problem whose flow is followed, and what counts the work.
 template<int Dim>
 struct FollowedFlow
 {
-    StepProgram<Dim> program;
-    const StepSettings& settings;
-    SymbolicAnalysis& symbolic;
+    StepProgram<Dim> program; ///< linearised about where the forces have led
+    const FlowProblem<Dim>& problem;
     ThetaStep& step;
+};
+
+/// A stage of the way to nearly rigid points.
+struct FlowStage
+{
+    double stiffness;    ///< of the points [N/m]
+    int mostPivots;      ///< changes of state of points
+    double gapTolerance; ///< of the linear prediction [m]
+    /// Whether gaps are to be right where the blocks end up, with no more overlaps than the settings want;
+    /// before, they stay as they are.
+    bool isLast;
 };
 
 /// Takes the overlaps c/k away: with gaps that are smaller by them points carry the same forces where they
@@ -97,18 +107,18 @@ bool closeOverlaps(const FollowedFlow<Dim>& flow, PathOf<Dim>& path, ConeSolutio
     return true;
 }
 
-/// From a solution to that for points of this stiffness. \param relinearise or empty: with the gaps as they
-/// are \param gapTolerance of the linear prediction \param overlaps left at the end \return whether it was
-/// reached
+/// From a solution to that of a stage. \return whether it was reached
 template<int Dim>
-bool followTo(FollowedFlow<Dim>& flow, ConeSolution& solution, double stiffness, int maximumPivots,
-              const Relinearisation<Dim>& relinearise, double gapTolerance, Overlaps overlaps)
+bool followTo(FollowedFlow<Dim>& flow, ConeSolution& solution, const FlowStage& stage)
 {
     constexpr double beyond = 1e-3;
     constexpr double exact = 1e-3;
-    PathOf<Dim> path(flow.program, solution,
-                     {Sliding::coulomb, stiffness, beyond * flow.settings.solver.tolerance, maximumPivots},
-                     flow.symbolic);
+    const FlowProblem<Dim>& problem = flow.problem;
+    const StepSettings& settings = problem.settings;
+    PathOf<Dim> path(
+        flow.program, solution,
+        {Sliding::coulomb, stage.stiffness, beyond * settings.solver.tolerance, stage.mostPivots},
+        problem.symbolic);
     bool isReached = false;
     double before = std::numeric_limits<double>::infinity();
     for (int round = 0; !isReached && round <= mostRelinearisations && path.follow(flow.program); ++round)
@@ -116,19 +126,20 @@ bool followTo(FollowedFlow<Dim>& flow, ConeSolution& solution, double stiffness,
         solution.contactForce = path.contactForce();
         solution.displacement = displacementUnder(
             flow.program, flow.program.load - applyEquilibrium(flow.program, solution.contactForce));
-        if (!relinearise)
+        if (!stage.isLast || !problem.relinearise)
         {
             isReached = true;
             break;
         }
         // To rounding: what is left of an error differs between motions that are alike.
-        const double error = relinearise(solution.displacement, solution.contactForce, flow.program);
-        isReached = error <= exact * gapTolerance || (error <= gapTolerance && error >= 0.5 * before);
+        const double error = problem.relinearise(solution.displacement, solution.contactForce, flow.program);
+        isReached =
+            error <= exact * stage.gapTolerance || (error <= stage.gapTolerance && error >= 0.5 * before);
         before = error;
     }
-    if (isReached && overlaps == Overlaps::closed)
+    if (isReached && stage.isLast && settings.overlaps == Overlaps::closed)
     {
-        isReached = closeOverlaps(flow, path, solution, stiffness);
+        isReached = closeOverlaps(flow, path, solution, stage.stiffness);
     }
     flow.step.iterations += path.factorisations();
     flow.step.factorisations += path.factorisations();
@@ -162,13 +173,14 @@ bool areFollowed(const StepProgram<Dim>& program, const Eigen::VectorXd& contact
 }
 
 template<int Dim>
-bool followFlow(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolution& start,
-                const StepSettings& settings, const Relinearisation<Dim>& relinearise, Following following,
-                SymbolicAnalysis& symbolic)
+bool followFlow(ThetaStep& step, const FlowProblem<Dim>& problem, const ConeSolution& start,
+                Following following)
 {
+    const StepProgram<Dim>& program = problem.program;
+    const StepSettings& settings = problem.settings;
     const double largest = start.contactForce.size() > 0 ? start.contactForce.lpNorm<Eigen::Infinity>() : 0;
     const bool isMotion = settings.kind == StepKind::motion; // an impact has its gaps as they are
-    if (following == Following::notAtAll || (isMotion && !relinearise) || !followsFlow(settings)
+    if (following == Following::notAtAll || (isMotion && !problem.relinearise) || !followsFlow(settings)
         || program.hasCompliance() || program.hasCrushing() || !(largest > 0))
     {
         return false;
@@ -176,12 +188,12 @@ bool followFlow(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolu
     // Half of what is allowed under the largest force of the step before.
     const double overlap = settings.contactOverlap * settings.blockSize;
     const double stiffness = stiffnessFor(program, largest, overlap / 2, settings.partOfStep);
+    const double gapTolerance = partOfOverlap * overlap;
     const int few = fewPivots + program.points() / pointsToAPivot;
     const int many = manyPivots(Dim) * program.points();
-    FollowedFlow<Dim> flow{program, settings, symbolic, step};
+    FollowedFlow<Dim> flow{program, problem, step};
     ConeSolution solution = start;
-    bool isReached =
-        followTo(flow, solution, stiffness, few, relinearise, partOfOverlap * overlap, settings.overlaps);
+    bool isReached = followTo(flow, solution, {stiffness, few, gapTolerance, true});
     for (std::size_t way = 0; !isReached && following == Following::fromAnyForces && way < waysIn(Dim); ++way)
     {
         flow.program = program;
@@ -190,9 +202,8 @@ bool followFlow(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolu
         for (std::size_t stage = 0; isReached && stage < softenings[way].size(); ++stage)
         {
             const bool isLast = stage + 1 == softenings[way].size();
-            isReached = followTo(flow, solution, stiffness / softenings[way][stage], many,
-                                 isLast ? relinearise : Relinearisation<Dim>{}, partOfOverlap * overlap,
-                                 isLast ? settings.overlaps : Overlaps::damped);
+            isReached =
+                followTo(flow, solution, {stiffness / softenings[way][stage], many, gapTolerance, isLast});
         }
     }
     if (!isReached)
@@ -202,13 +213,13 @@ bool followFlow(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolu
     solution.status = SolveStatus::optimal;
     ThetaStep taken = step;
     takeOver(taken, flow.program, std::move(solution), settings, overlap, overlap);
-    if (relinearise && settings.overlaps == Overlaps::closed)
+    if (problem.relinearise && settings.overlaps == Overlaps::closed)
     {
         // About the motion that is left with the overlaps closed.
-        relinearise(taken.displacement, taken.contactForce, flow.program);
+        problem.relinearise(taken.displacement, taken.contactForce, flow.program);
     }
     const bool isRight = taken.certificate.worst() <= settings.solver.tolerance
-                         && (!relinearise || keepMomenta(taken, flow.program, relinearise));
+                         && (!problem.relinearise || keepMomenta(taken, flow.program, problem.relinearise));
     if (isRight)
     {
         step = std::move(taken);
@@ -216,13 +227,11 @@ bool followFlow(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolu
     return isRight;
 }
 
-template bool followFlow(ThetaStep& step, const StepProgram<2>& program, const ConeSolution& start,
-                         const StepSettings& settings, const Relinearisation<2>& relinearise,
-                         Following following, SymbolicAnalysis& symbolic);
+template bool followFlow(ThetaStep& step, const FlowProblem<2>& problem, const ConeSolution& start,
+                         Following following);
 template bool areFollowed(const StepProgram<2>& program, const Eigen::VectorXd& contactForce);
-template bool followFlow(ThetaStep& step, const StepProgram<3>& program, const ConeSolution& start,
-                         const StepSettings& settings, const Relinearisation<3>& relinearise,
-                         Following following, SymbolicAnalysis& symbolic);
+template bool followFlow(ThetaStep& step, const FlowProblem<3>& problem, const ConeSolution& start,
+                         Following following);
 template bool areFollowed(const StepProgram<3>& program, const Eigen::VectorXd& contactForce);
 
 } // namespace drystone

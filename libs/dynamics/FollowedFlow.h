@@ -2,7 +2,7 @@
 /// Coulomb's law in a step by following the forces of the step before.
 #pragma once
 
-#include "dynamics/ThetaStep.h"
+#include "dynamics/FlowProblem.h"
 
 namespace drystone
 {
@@ -33,12 +33,10 @@ bool areFollowed(const StepProgram<Dim>& program, const Eigen::VectorXd& contact
 /// `contactOverlap` (conic/coulomb/ContactPath.h). Rigid forces are not unique, and with them neither is the
 /// motion: these are the least, so that the motion depends on the places and velocities of the blocks only,
 /// and changes as they do. Overlaps that nothing would close later, of an impact or with theta below 1, are
-/// closed again by multipliers. Only with forces to begin with. \param program
-/// its gaps without what the flow opens \param relinearise empty for an impact \return whether it was
-/// reached; otherwise the step is as it was but for the work counted
+/// closed again by multipliers. Only with forces to begin with. \return whether it was reached; otherwise the
+/// step is as it was but for the work counted
 template<int Dim>
-bool followFlow(ThetaStep& step, const StepProgram<Dim>& program, const ConeSolution& start,
-                const StepSettings& settings, const Relinearisation<Dim>& relinearise, Following following,
-                SymbolicAnalysis& symbolic);
+bool followFlow(ThetaStep& step, const FlowProblem<Dim>& problem, const ConeSolution& start,
+                Following following);
 
 } // namespace drystone

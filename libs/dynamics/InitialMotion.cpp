@@ -73,6 +73,68 @@ void questionAlternative(const std::string& pattern, std::size_t blocks, const S
     }
 }
 
+template<int Dim>
+using NamedStart = std::pair<NamePattern, BlockStart<Dim>>;
+
+/// Which entries match a block, and which of them a free one.
+struct MatchedEntries
+{
+    std::vector<char> any;
+    std::vector<char> ofFree;
+};
+
+/// The entry that gives a block its start: the one with its index, else the last pattern; null: none. A
+/// pattern that holds supports as well, ".*" say, gives them nothing. \param free index of the block, or -1
+template<int Dim>
+const NamedStart<Dim>* startOf(const std::string& block, int free, const InitialMotion<Dim>& motion,
+                               MatchedEntries& matched)
+{
+    const NamedStart<Dim>* chosen = nullptr;
+    for (std::size_t i = 0; i < motion.blocks.size(); ++i)
+    {
+        const NamePattern& name = motion.blocks[i].first;
+        if (!name.matches(block))
+        {
+            continue;
+        }
+        matched.any[i] = true;
+        matched.ofFree[i] = matched.ofFree[i] || free >= 0;
+        const bool isExact = name.text == block;
+        if (isExact || (free >= 0 && !(chosen && chosen->first.text == block)))
+        {
+            chosen = &motion.blocks[i];
+        }
+    }
+    return chosen;
+}
+
+/// \throws FatalIOError for an entry of no block, or of fixed ones only
+template<int Dim>
+void checkEntries(const InitialMotion<Dim>& motion, const MatchedEntries& matched, std::size_t blocks,
+                  const EntryLocations& locations)
+{
+    for (std::size_t i = 0; i < motion.blocks.size(); ++i)
+    {
+        const std::string& name = motion.blocks[i].first.text;
+        questionRotation(motion.blocks[i].second, locations.of(name));
+        if (!matched.any[i])
+        {
+            throw FatalIOError(
+                fmt::format("There is no block {}: the assembly has blocks 0 to {}.", name, blocks - 1),
+                locations.of(name));
+        }
+        if (!matched.ofFree[i])
+        {
+            throw FatalIOError(
+                fmt::format("All blocks that the pattern {} matches are fixed. Only free blocks "
+                            "can be given a start.",
+                            name),
+                locations.of(name));
+        }
+        questionAlternative(name, blocks, locations.of(name));
+    }
+}
+
 } // namespace
 
 template<int Dim>
@@ -91,27 +153,12 @@ InitialState<Dim> readInitialMotion(const std::filesystem::path& caseDirectory, 
     const std::vector<int> free = freeIndices(assembly);
     const EntryLocations locations(dictionary);
     std::vector<SourceLocation> places(dictionary.empty() ? 0 : free.size(), dictionary.location());
-    std::vector<char> isMatched(motion.blocks.size(), false);
-    std::vector<char> isOfFreeBlock(motion.blocks.size(), false);
+    MatchedEntries matched{std::vector<char>(motion.blocks.size(), false),
+                           std::vector<char>(motion.blocks.size(), false)};
     for (std::size_t block = 0; block < free.size(); ++block)
     {
         const std::string index = std::to_string(block);
-        const std::pair<NamePattern, BlockStart<Dim>>* chosen = nullptr;
-        for (std::size_t i = 0; i < motion.blocks.size(); ++i)
-        {
-            const NamePattern& name = motion.blocks[i].first;
-            if (name.matches(index))
-            {
-                isMatched[i] = true;
-                isOfFreeBlock[i] = isOfFreeBlock[i] || free[block] >= 0;
-                // A pattern that holds supports as well, ".*" say, gives them nothing.
-                const bool isExact = name.text == index;
-                if (isExact || (free[block] >= 0 && !(chosen && chosen->first.text == index)))
-                {
-                    chosen = &motion.blocks[i];
-                }
-            }
-        }
+        const NamedStart<Dim>* chosen = startOf(index, free[block], motion, matched);
         if (chosen && free[block] < 0)
         {
             throw FatalIOError(
@@ -130,26 +177,7 @@ InitialState<Dim> readInitialMotion(const std::filesystem::path& caseDirectory, 
                 rowsOf(start.angularVelocity);
         }
     }
-    for (std::size_t i = 0; i < motion.blocks.size(); ++i)
-    {
-        const std::string& name = motion.blocks[i].first.text;
-        questionRotation(motion.blocks[i].second, locations.of(name));
-        if (!isMatched[i])
-        {
-            throw FatalIOError(fmt::format("There is no block {}: the assembly has blocks 0 to {}.", name,
-                                           assembly.blocks.size() - 1),
-                               locations.of(name));
-        }
-        if (!isOfFreeBlock[i])
-        {
-            throw FatalIOError(
-                fmt::format("All blocks that the pattern {} matches are fixed. Only free blocks "
-                            "can be given a start.",
-                            name),
-                locations.of(name));
-        }
-        questionAlternative(name, free.size(), locations.of(name));
-    }
+    checkEntries(motion, matched, free.size(), locations);
     return {std::move(state), std::move(places)};
 }
 

@@ -81,6 +81,7 @@ Motion<Dim> startMotion(const DynamicCase<Dim>& scene, DynamicState<Dim> state)
 {
     Motion<Dim> motion;
     motion.state = std::move(state);
+    motion.jointFriction = scene.jointFriction;
     motion.effectStates.resize(scene.effects.size());
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
@@ -124,6 +125,12 @@ std::vector<BlockVector<Dim>> velocitiesOfAllBlocks(const DynamicCase<Dim>& scen
         }
     }
     return result;
+}
+
+template<int Dim>
+std::vector<double> frictionAt(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
+{
+    return frictionAt(scene.contact, scene.assembly, motion.jointFriction, motion.points);
 }
 
 template<int Dim>
@@ -203,7 +210,7 @@ template<int Dim>
 StepObservation<Dim> observe(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time,
                              ObservedLists<Dim>& lists)
 {
-    lists.friction = frictionAt(scene, motion.points);
+    lists.friction = frictionAt(scene, motion);
     lists.cohesion.clear();
     for (const Strength& strength : strengthsOf(scene, motion))
     {
@@ -233,6 +240,7 @@ StepObservation<Dim> observe(const DynamicCase<Dim>& scene, const Motion<Dim>& m
     return seen;
 }
 
+template std::vector<double> frictionAt(const DynamicCase<2>& scene, const Motion<2>& motion);
 template std::vector<Strength> strengthsOf(const DynamicCase<2>& scene, const Motion<2>& motion);
 template double leaveOutBlocks(const DynamicCase<2>& scene, Motion<2>& motion);
 template Motion<2> startMotion(const DynamicCase<2>& scene, DynamicState<2> state);
@@ -243,6 +251,7 @@ template long simulatedBodies(const Motion<2>& motion);
 template const std::vector<Vector<2>>& meanContactForces(const Motion<2>& motion);
 template StepObservation<2> observe(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time,
                                     ObservedLists<2>& lists);
+template std::vector<double> frictionAt(const DynamicCase<3>& scene, const Motion<3>& motion);
 template std::vector<Strength> strengthsOf(const DynamicCase<3>& scene, const Motion<3>& motion);
 template double leaveOutBlocks(const DynamicCase<3>& scene, Motion<3>& motion);
 template Motion<3> startMotion(const DynamicCase<3>& scene, DynamicState<3> state);

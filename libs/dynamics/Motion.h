@@ -36,7 +36,8 @@ private:
 
 /// All that changes in a run. What a run needs to continue bit for bit is `state`, `energy`, `residuals`,
 /// `points`, `contactForces`, `meanForces`, `interior`, `effectStates`, `slides`, `collisions`,
-/// `stepsInVain` and `overlapsLeft`; the analyses, `contacts` and `restProof` are found again from these.
+/// `stepsInVain` and `overlapsLeft`; the analyses, `contacts`, `restProof` and `jointFriction` are found again
+/// from these.
 template<int Dim>
 struct Motion
 {
@@ -56,7 +57,9 @@ struct Motion
     std::optional<MovingContacts<Dim>> contacts; ///< empty with smallDisplacements: the points stay as built
     std::vector<EffectState> effectStates;       ///< one an effect of the case
     std::vector<EffectState> effectStatesBefore; ///< at the start of the last step
-    double restitutionShare = 1;                 ///< in the last step the least of its impacts, see Impact
+    /// Of joints as built and of all pairs of blocks that have been near each other in this run.
+    FrictionOfJoints jointFriction;
+    double restitutionShare = 1; ///< in the last step the least of its impacts, see Impact
     /// What the time integration has dissipated outside impacts since the start of this run [J]: an estimate
     /// of its error, of first order in the step with theta above 1/2. Of each step at most what it would be
     /// if velocities changed by twice what the loads alone do: impacts change them by more.
@@ -83,6 +86,10 @@ template<int Dim>
 long awakeBlocks(const Motion<Dim>& motion);
 template<int Dim>
 long simulatedBodies(const Motion<Dim>& motion);
+
+/// Friction coefficient of each of the motion's points.
+template<int Dim>
+std::vector<double> frictionAt(const DynamicCase<Dim>& scene, const Motion<Dim>& motion);
 
 /// The strengths that effects give the points now; empty where there are none.
 template<int Dim>

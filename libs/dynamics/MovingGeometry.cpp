@@ -37,73 +37,120 @@ void forgetRounding(const DynamicCase<Dim>& scene, std::vector<ContactPoint<Dim>
     }
 }
 
+namespace
+{
+
+/// Puts the columns of a step with theta below 1 where its momenta want them. \return A'y with these
+template<int Dim>
+Eigen::VectorXd moveColumns(const Step<Dim>& step, const Eigen::VectorXd& displacement,
+                            StepProgram<Dim>& program)
+{
+    const auto between = placementsAfter(step, displacement, 1 - step.scheme.theta);
+    std::vector<ContactPoint<Dim>> points;
+    step.motion.contacts->measure(between, points);
+    setColumns(program, columnsAt(step.scene, between, points));
+    return applyTransposed(program, displacement);
+}
+
+/// The points of the program with the blocks at the placements of the end.
+template<int Dim>
+std::vector<ContactPoint<Dim>> pointsAfter(const Step<Dim>& step, const std::vector<Placement<Dim>>& after)
+{
+    const MovingContacts<Dim>& contacts = *step.motion.contacts;
+    std::vector<ContactPoint<Dim>> points;
+    if (step.measuredPoints)
+    {
+        points.reserve(step.measuredPoints->points.size());
+        for (const std::size_t index : step.measuredPoints->points)
+        {
+            points.push_back(contacts.pointAt(after, index));
+        }
+    }
+    else
+    {
+        contacts.measure(after, points);
+    }
+    // Named solvers leave what their tolerance leaves: rounding would add to it in the ledger of energy.
+    if (!followsFlow(step.settings) || step.settings.solver.solver != SolverType::automatic)
+    {
+        forgetRounding(step.scene, points);
+    }
+    return points;
+}
+
+/// A point of the program at the end of the step, (normal, shear) [m].
+template<int Dim>
+struct PointAtEnd
+{
+    double gap;
+    Shear<Dim> slip;
+    Vector<Dim> ofEffects;     ///< what effects have put into its gap
+    Vector<Dim> closingBefore; ///< of A'y, with the columns that the program came with
+    Vector<Dim> closing;       ///< likewise, with those that it has now
+};
+
+/// By how much what the program had predicted of a point is off, where that matters [m].
+template<int Dim>
+double errorAt(const PointAtEnd<Dim>& point, const StepProgram<Dim>& program, std::size_t index,
+               double normalForce)
+{
+    const Eigen::Index row = Dim * static_cast<Eigen::Index>(index);
+    double error = 0;
+    if (normalForce != 0 || point.gap < 0)
+    {
+        const double predicted = program.gap[row] - point.ofEffects[0] - point.closingBefore[0];
+        error = std::abs(point.gap - predicted);
+    }
+    if (program.hasStrength() && program.strength[index].cohesion > 0) // where slip decides what holds
+    {
+        const Shear<Dim> missed = point.slip + program.gap.template segment<Dim - 1>(row + 1)
+                                  - point.ofEffects.template tail<Dim - 1>()
+                                  - point.closingBefore.template tail<Dim - 1>();
+        error = std::max(error, missed.norm());
+    }
+    return error;
+}
+
+/// The gap, and minus the slip, of a point for the program to have.
+template<int Dim>
+Vector<Dim> gapFor(const PointAtEnd<Dim>& point)
+{
+    Vector<Dim> gap;
+    gap[0] = point.gap + point.closing[0] + point.ofEffects[0];
+    gap.template tail<Dim - 1>() =
+        point.closing.template tail<Dim - 1>() - point.slip + point.ofEffects.template tail<Dim - 1>();
+    return gap;
+}
+
+} // namespace
+
 template<int Dim>
 Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step)
 {
     return [&step](const Eigen::VectorXd& displacement, const Eigen::VectorXd& contactForce,
                    StepProgram<Dim>& program)
     {
-        const DynamicCase<Dim>& scene = step.scene;
-        const Motion<Dim>& motion = step.motion;
-        std::vector<ContactPoint<Dim>> points;
-        const double early = 1 - step.scheme.theta;
-        const std::vector<std::size_t>* some = step.measuredPoints ? &step.measuredPoints->points : nullptr;
-        const Eigen::VectorXd linear = applyTransposed(program, displacement);
-        Eigen::VectorXd between; // with the lever arms of the mean time
-        if (early > 0)
-        {
-            const auto placements = placementsAfter(step, displacement, early);
-            motion.contacts->measure(placements, points);
-            setColumns(program, columnsAt(scene, placements, points));
-            between = applyTransposed(program, displacement);
-        }
-        const Eigen::VectorXd& closing = early > 0 ? between : linear;
+        const Eigen::VectorXd before = applyTransposed(program, displacement);
+        const bool hasMoved = step.scheme.theta < 1;
+        const Eigen::VectorXd moved = hasMoved ? moveColumns(step, displacement, program) : Eigen::VectorXd();
+        const Eigen::VectorXd& closing = hasMoved ? moved : before;
         const auto after = placementsAfter(step, displacement);
-        if (some)
-        {
-            points.reserve(some->size());
-            for (const std::size_t index : *some)
-            {
-                points.push_back(motion.contacts->pointAt(after, index));
-            }
-        }
-        else
-        {
-            motion.contacts->measure(after, points);
-        }
-        // Named solvers leave what their tolerance leaves: rounding would add to it in the ledger of energy.
-        if (!followsFlow(step.settings) || step.settings.solver.solver != SolverType::automatic)
-        {
-            forgetRounding(scene, points);
-        }
-        BlockMotions<Dim> motions(motion.state.placements, after);
+        const std::vector<ContactPoint<Dim>> points = pointsAfter(step, after);
+        BlockMotions<Dim> motions(step.motion.state.placements, after);
         double error = turnMomenta(step, displacement, contactForce, program);
-        for (std::size_t k = 0; k < points.size(); ++k)
+        for (std::size_t index = 0; index < points.size(); ++index)
         {
-            const std::size_t i = some ? (*some)[k] : k; // of the step
-            const Eigen::Index row = Dim * static_cast<Eigen::Index>(k);
-            Vector<Dim> own = Vector<Dim>::Zero();
+            const std::size_t ofStep = step.measuredPoints ? step.measuredPoints->points[index] : index;
+            const Eigen::Index row = Dim * static_cast<Eigen::Index>(index);
+            PointAtEnd<Dim> point{points[index].gap, slip(step, motions, ofStep, program.contacts[index]),
+                                  Vector<Dim>::Zero(), before.segment<Dim>(row), closing.segment<Dim>(row)};
             if (step.gapsOfEffects.size() > 0)
             {
-                own = step.gapsOfEffects.template segment<Dim>(Dim * static_cast<Eigen::Index>(i));
+                point.ofEffects =
+                    step.gapsOfEffects.template segment<Dim>(Dim * static_cast<Eigen::Index>(ofStep));
             }
-            const Vector<Dim> before = linear.segment<Dim>(row);
-            const Vector<Dim> now = closing.segment<Dim>(row);
-            const double predicted = program.gap[row] - own[0] - before[0];
-            if (contactForce[row] != 0 || points[k].gap < 0)
-            {
-                error = std::max(error, std::abs(points[k].gap - predicted));
-            }
-            const Shear<Dim> slid = slip(step, motions, i, program.contacts[k]);
-            auto shear = program.gap.template segment<Dim - 1>(row + 1);
-            if (program.hasStrength() && program.strength[k].cohesion > 0) // where slip decides what holds
-            {
-                const Shear<Dim> missed =
-                    slid + shear - own.template tail<Dim - 1>() - before.template tail<Dim - 1>();
-                error = std::max(error, missed.norm());
-            }
-            program.gap[row] = points[k].gap + now[0] + own[0];
-            shear = now.template tail<Dim - 1>() - slid + own.template tail<Dim - 1>();
+            error = std::max(error, errorAt(point, program, index, contactForce[row]));
+            program.gap.template segment<Dim>(row) = gapFor(point);
         }
         return error;
     };

@@ -3,6 +3,9 @@
 /// them.
 #include "dynamics/PartedStep.h"
 
+#include "dynamics/PointsOfPair.h"
+#include "dynamics/UnpartedStep.h"
+
 #include <algorithm>
 #include <optional>
 
@@ -40,24 +43,50 @@ void PartedStep<Dim>::add(const Motion<Dim>& motion, double length)
     const std::vector<Vector<Dim>>& forces = meanContactForces(motion);
     for (std::size_t i = 0; i < motion.points.size(); ++i)
     {
-        const auto there =
-            std::find_if(impulses.begin(), impulses.end(),
-                         [&](const Carried& carried) { return isSame(carried.point, motion.points[i]); });
+        const ContactPoint<Dim>& point = motion.points[i];
+        const auto [first, last] = entriesOf(pairOf(point), impulses.begin(), impulses.end(),
+                                             [](const Carried& carried) { return pairOf(carried.point); });
+        const auto there = std::find_if(
+            first, last, [&point](const Carried& carried) { return isSame(carried.point, point); });
         const Vector<Dim> impulse = length * forces[i];
-        if (there != impulses.end())
+        if (there != last)
         {
-            there->point = motion.points[i];
+            there->point = point;
             there->impulse += impulse;
         }
         else if (!impulse.isZero(0))
         {
-            impulses.push_back({motion.points[i], impulse});
+            impulses.insert(last, {point, impulse});
         }
     }
     duration += length;
     leastShare = std::min(leastShare, motion.restitutionShare);
     ++parts;
 }
+
+namespace
+{
+
+/// A point that carries nothing when the step ends.
+template<int Dim>
+void insertPoint(Motion<Dim>& motion, std::ptrdiff_t index, const ContactPoint<Dim>& point)
+{
+    motion.points.insert(motion.points.begin() + index, point);
+    motion.contactForces.insert(motion.contactForces.begin() + index, Vector<Dim>::Zero());
+    motion.meanForces.insert(motion.meanForces.begin() + index, Vector<Dim>::Zero());
+    if (motion.interior.isEmpty())
+    {
+        return;
+    }
+    for (Eigen::VectorXd* ofPoints : {&motion.interior.contactForce, &motion.interior.opening})
+    {
+        const Eigen::VectorXd old = *ofPoints;
+        ofPoints->resize(old.size() + Dim);
+        *ofPoints << old.head(Dim * index), Vector<Dim>::Zero(), old.tail(old.size() - Dim * index);
+    }
+}
+
+} // namespace
 
 template<int Dim>
 void PartedStep<Dim>::finish(Motion<Dim>& motion) const
@@ -72,31 +101,14 @@ void PartedStep<Dim>::finish(Motion<Dim>& motion) const
     motion.meanForces.assign(motion.points.size(), Vector<Dim>::Zero());
     for (const Carried& carried : impulses)
     {
-        auto there =
-            std::find_if(motion.points.begin(), motion.points.end(),
-                         [&](const ContactPoint<Dim>& point) { return isSame(point, carried.point); });
-        auto index = there - motion.points.begin();
-        if (there == motion.points.end())
+        const auto [first, last] =
+            entriesOf(pairOf(carried.point), motion.points.begin(), motion.points.end(), pairOf<Dim>);
+        const auto there = std::find_if(
+            first, last, [&carried](const ContactPoint<Dim>& point) { return isSame(point, carried.point); });
+        const auto index = there - motion.points.begin();
+        if (there == last)
         {
-            const auto pairOf = [](const ContactPoint<Dim>& point)
-            { return std::pair(point.block, point.neighbour); };
-            index = std::upper_bound(motion.points.begin(), motion.points.end(), carried.point,
-                                     [&](const ContactPoint<Dim>& a, const ContactPoint<Dim>& b)
-                                     { return pairOf(a) < pairOf(b); })
-                    - motion.points.begin();
-            motion.points.insert(motion.points.begin() + index, carried.point);
-            motion.contactForces.insert(motion.contactForces.begin() + index, Vector<Dim>::Zero());
-            motion.meanForces.insert(motion.meanForces.begin() + index, Vector<Dim>::Zero());
-            for (Eigen::VectorXd* ofPoints : {&motion.interior.contactForce, &motion.interior.opening})
-            {
-                if (!motion.interior.isEmpty())
-                {
-                    const Eigen::VectorXd old = *ofPoints;
-                    ofPoints->resize(old.size() + Dim);
-                    *ofPoints << old.head(Dim * index), Vector<Dim>::Zero(),
-                        old.tail(old.size() - Dim * index);
-                }
-            }
+            insertPoint(motion, index, carried.point);
         }
         motion.meanForces[static_cast<std::size_t>(index)] += carried.impulse / duration;
     }
@@ -162,74 +174,96 @@ void takeBack(Motion<Dim>& motion, const Motion<Dim>& before)
     motion.work.beginAttempt();
 }
 
+/// A step whose parts are taken one after the other.
+template<int Dim>
+struct PartsInTurn
+{
+    ImpactChoice impacts;
+    double left;                            ///< of the step [s]
+    double length;                          ///< of the next attempt [s]
+    std::optional<Motion<Dim>> before = {}; ///< where the step is parted; empty: it is not yet
+    PartedStep<Dim> parts = {};
+    AttemptForces<Dim> attemptForces = {};
+    std::optional<TriedPart> tried = {}; ///< from where the next attempt begins
+};
+
+/// Goes on from the end of a part that was taken.
+template<int Dim>
+void goOn(PartsInTurn<Dim>& turn, const Motion<Dim>& motion)
+{
+    turn.parts.add(motion, turn.length);
+    turn.left = turn.length == turn.left ? 0 : turn.left - turn.length;
+    // What the first attempt knew of more than what is left tells more of it than a shorter part does.
+    PointForces<Dim> forces =
+        turn.left > turn.length ? std::move(turn.attemptForces.meeting) : PointForces<Dim>();
+    turn.attemptForces = {};
+    turn.attemptForces.start = std::move(forces);
+    turn.tried.reset();
+    turn.length = turn.left;
+}
+
+/// Shortens a part in which blocks meet. \param share of it after which they do
+template<int Dim>
+void shorten(PartsInTurn<Dim>& turn, double share, double theta)
+{
+    turn.attemptForces.start = std::move(turn.attemptForces.apart);
+    const TriedPart last{turn.length, share * turn.length};
+    // What is left of the step is not shorter than what counts as its start.
+    turn.length = std::min(nextLength(last, turn.tried, theta, turn.impacts.tolerance),
+                           turn.left - turn.impacts.tolerance);
+    turn.tried = last;
+    if (turn.length <= 0)
+    {
+        turn.length = turn.left;
+        turn.impacts.instant = ImpactInstant::stepStart;
+    }
+}
+
 template<int Dim>
 bool takeParts(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep)
 {
-    motion.work.beginAttempt();
     // Attempts are limited, so that bounces which grow shorter for ever, or blocks that hit each other from
     // all sides, do not part a step without an end.
     constexpr int mostAttempts = 8;
     constexpr double mostWork = 0.1; // of what a step may take, before it is no longer parted
+    motion.work.beginAttempt();
     const double start = motion.state.time;
-    ImpactChoice impacts = impactsOf(scene, timeStep);
-    std::optional<Motion<Dim>> before; // where the step is parted
-    PartedStep<Dim> parts;
-    AttemptForces<Dim> attemptForces;
-    std::optional<TriedPart> tried; // from where the next attempt begins
-    double left = timeStep;
-    double length = left;
-    for (int attempts = 0; left > 0; ++attempts)
+    PartsInTurn<Dim> turn{.impacts = impactsOf(scene, timeStep), .left = timeStep, .length = timeStep};
+    for (int attempts = 0; turn.left > 0; ++attempts)
     {
-        const bool isExpensive = motion.work.done > mostWork * motion.work.most;
-        impacts.instant =
-            attempts < mostAttempts && !isExpensive ? impacts.instant : ImpactInstant::stepStart;
-        const double part = advanceUnparted(scene, motion, length, impacts, &attemptForces);
-        if (part == 0 && before)
+        if (attempts >= mostAttempts || motion.work.done > mostWork * motion.work.most)
+        {
+            turn.impacts.instant = ImpactInstant::stepStart;
+        }
+        const double share = advanceUnparted(scene, motion, turn.length, turn.impacts, &turn.attemptForces);
+        if (share == 0 && turn.before)
         {
             // A part may be too short for the tolerance of the solver: then the step as a whole.
-            takeBack(motion, *before);
+            takeBack(motion, *turn.before);
             return advanceUnparted(scene, motion, timeStep, {.isOfAllBlocks = true}) == 1;
         }
-        if (part == 0)
+        if (share == 0)
         {
             return false;
         }
-        if (part == 1 && !before)
+        if (share == 1 && !turn.before)
         {
             return true;
         }
-        impacts.isOfAllBlocks = true;
-        parts.count(motion.attempt);
-        if (part == 1)
+        turn.impacts.isOfAllBlocks = true;
+        turn.parts.count(motion.attempt);
+        if (share == 1)
         {
-            parts.add(motion, length);
-            left = length == left ? 0 : left - length;
-            // What the first attempt knew of more than what is left tells more of it than a shorter part
-            // does.
-            PointForces<Dim> forces = left > length ? std::move(attemptForces.meeting) : PointForces<Dim>();
-            attemptForces = {};
-            attemptForces.start = std::move(forces);
-            tried.reset();
-            length = left;
+            goOn(turn, motion);
             continue;
         }
-        if (!before)
+        if (!turn.before)
         {
-            before = motion;
+            turn.before = motion;
         }
-        attemptForces.start = std::move(attemptForces.apart);
-        const TriedPart last{length, part * length};
-        // What is left of the step is not shorter than what counts as its start.
-        length = std::min(nextLength(last, tried, scene.schemes.timeIntegration.theta, impacts.tolerance),
-                          left - impacts.tolerance);
-        tried = last;
-        if (length <= 0)
-        {
-            length = left;
-            impacts.instant = ImpactInstant::stepStart;
-        }
+        shorten(turn, share, scene.schemes.timeIntegration.theta);
     }
-    parts.finish(motion);
+    turn.parts.finish(motion);
     motion.state.time = start + timeStep; // as if it had not been parted, to the last digit
     return true;
 }

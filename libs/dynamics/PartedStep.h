@@ -36,14 +36,6 @@ private:
     int parts = 0;
 };
 
-/// A step that is not parted: the stages in their order. \return 1: it was solved; more than 0: blocks meet
-/// after this part of it, to which the next attempt is to be shortened; 0: it was not solved. But for 1 the
-/// motion is as `advance` leaves that of a step which was not solved \param attemptForces of other attempts,
-/// to which it adds its own; or null
-template<int Dim>
-double advanceUnparted(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep,
-                       const ImpactChoice& impacts, AttemptForces<Dim>* attemptForces = nullptr);
-
 /// A step, in parts up to where blocks meet and on from there. A rebound that would last less than a tenth of
 /// the step is none: bounces that grow shorter for ever end. After eight attempts at parts, in structures of
 /// which more than two pairs of bodies meet in one, and with `impacts stepStart`, points that the step closes

@@ -107,7 +107,10 @@ private:
     bool beginsFromPlace();
     bool meetsFlow(bool isBalanced);
     bool meetsGaps();
-    SymbolicAnalysis& analysis() { return symbolic ? *symbolic : ownAnalysis; }
+    FlowProblem<Dim> flowProblem()
+    {
+        return {program, settings, relinearise, expected, symbolic ? *symbolic : ownAnalysis};
+    }
 
     ThetaStep step;
     StepProgram<Dim> program;
@@ -275,8 +278,8 @@ template<int Dim>
 bool StepSearch<Dim>::reachesFlow()
 {
     program.gap = gap;
-    if (step.programs == 1
-        && followFlow(step, program, start, settings, relinearise, afterProgram, analysis()))
+    const FlowProblem<Dim> problem = flowProblem();
+    if (step.programs == 1 && followFlow(step, problem, start, afterProgram))
     {
         return true;
     }
@@ -287,9 +290,8 @@ bool StepSearch<Dim>::reachesFlow()
         from.contactForce.setZero();
     }
     return (!settings.isFixedPointOnly || step.programs == programsToRestart)
-           && solveFlow(step, program, std::move(from), expected, settings, relinearise,
-                        {isImpact ? newtonStepsOfImpact : newtonSteps, settings.contactTolerance},
-                        analysis());
+           && solveFlow(step, problem, std::move(from),
+                        {isImpact ? newtonStepsOfImpact : newtonSteps, settings.contactTolerance});
 }
 
 /// The next program. \return whether the displacements are those that the contact forces give the blocks
@@ -401,9 +403,7 @@ ThetaStep StepSearch<Dim>::solve()
     {
         return std::move(step);
     }
-    if (isCoulomb
-        && goesOnFromLastStep(step, program, start, expected, settings, relinearise, fromLastStep,
-                              analysis()))
+    if (isCoulomb && goesOnFromLastStep(step, flowProblem(), start, fromLastStep))
     {
         return std::move(step);
     }

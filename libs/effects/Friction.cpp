@@ -18,6 +18,14 @@ constexpr double steepestFriction = 10;
 constexpr auto frictionNote =
     "dry stone has 0.3 to 1, and a friction angle of 31 degrees is tan(31 degrees) = 0.6";
 
+/// Null where the pair is not there.
+const double* find(const FrictionOfJoints& ofPairs, const std::pair<int, int>& pair)
+{
+    const auto at = std::lower_bound(ofPairs.begin(), ofPairs.end(), pair,
+                                     [](const auto& entry, const auto& key) { return entry.first < key; });
+    return at != ofPairs.end() && at->first == pair ? &at->second : nullptr;
+}
+
 } // namespace
 
 void declare(Options& options, CoulombFriction& friction)
@@ -84,30 +92,42 @@ FrictionOfJoints frictionOfJoints(const ContactProperties& contact, const Assemb
 }
 
 template<int Dim>
-std::vector<double> frictionAt(const ContactProperties& contact, const Assembly<Dim>& assembly,
-                               const FrictionOfJoints& ofJoints, const std::vector<ContactPoint<Dim>>& points)
+FrictionOfJoints frictionOfNewPairs(const ContactProperties& contact, const Assembly<Dim>& assembly,
+                                    const FrictionOfJoints& known,
+                                    const std::vector<ContactPoint<Dim>>& points)
 {
-    std::vector<double> friction = frictionCoefficients(contact, points.size());
-    std::function<const JointProperties*(int, int)> byName; // made where blocks have met that were apart
-    for (std::size_t i = 0; !ofJoints.empty() && i < points.size(); ++i)
+    FrictionOfJoints result;
+    if (known.empty())
     {
-        const std::pair pair(points[i].block, points[i].neighbour);
-        if (i > 0 && pair == std::pair(points[i - 1].block, points[i - 1].neighbour))
+        return result;
+    }
+    const double ofAll = contact.friction ? contact.friction->mu : 0;
+    std::function<const JointProperties*(int, int)> byName; // made where it is needed
+    for (const ContactPoint<Dim>& point : points)
+    {
+        const std::pair pair(point.block, point.neighbour);
+        if ((!result.empty() && result.back().first == pair) || find(known, pair))
         {
-            friction[i] = friction[i - 1];
-            continue;
-        }
-        const auto built =
-            std::lower_bound(ofJoints.begin(), ofJoints.end(), pair,
-                             [](const auto& entry, const auto& key) { return entry.first < key; });
-        if (built != ofJoints.end() && built->first == pair)
-        {
-            friction[i] = built->second;
             continue;
         }
         byName = byName ? byName : jointsByName(contact, assembly);
         const JointProperties* own = byName(pair.first, pair.second);
-        friction[i] = own && own->friction ? own->friction->mu : friction[i];
+        result.emplace_back(pair, own && own->friction ? own->friction->mu : ofAll);
+    }
+    return result;
+}
+
+template<int Dim>
+std::vector<double> frictionAt(const ContactProperties& contact, const Assembly<Dim>& assembly,
+                               const FrictionOfJoints& known, const std::vector<ContactPoint<Dim>>& points)
+{
+    std::vector<double> friction = frictionCoefficients(contact, points.size());
+    const FrictionOfJoints ofNew = frictionOfNewPairs(contact, assembly, known, points);
+    for (std::size_t i = 0; !known.empty() && i < points.size(); ++i)
+    {
+        const std::pair pair(points[i].block, points[i].neighbour);
+        const double* ofKnown = find(known, pair);
+        friction[i] = ofKnown ? *ofKnown : *find(ofNew, pair);
     }
     return friction;
 }
@@ -146,11 +166,17 @@ EffectType<Dim> frictionType()
 
 template FrictionOfJoints frictionOfJoints(const ContactProperties& contact, const Assembly<2>& assembly);
 template FrictionOfJoints frictionOfJoints(const ContactProperties& contact, const Assembly<3>& assembly);
+template FrictionOfJoints frictionOfNewPairs(const ContactProperties& contact, const Assembly<2>& assembly,
+                                             const FrictionOfJoints& known,
+                                             const std::vector<ContactPoint<2>>& points);
 template std::vector<double> frictionAt(const ContactProperties& contact, const Assembly<2>& assembly,
-                                        const FrictionOfJoints& ofJoints,
+                                        const FrictionOfJoints& known,
                                         const std::vector<ContactPoint<2>>& points);
+template FrictionOfJoints frictionOfNewPairs(const ContactProperties& contact, const Assembly<3>& assembly,
+                                             const FrictionOfJoints& known,
+                                             const std::vector<ContactPoint<3>>& points);
 template std::vector<double> frictionAt(const ContactProperties& contact, const Assembly<3>& assembly,
-                                        const FrictionOfJoints& ofJoints,
+                                        const FrictionOfJoints& known,
                                         const std::vector<ContactPoint<3>>& points);
 template EffectType<2> frictionType<2>();
 template EffectType<3> frictionType<3>();

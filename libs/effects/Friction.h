@@ -44,20 +44,29 @@ void declare(Options& options, JointFriction& friction);
 /// The friction laws that `friction { type ...; }` chooses from.
 const Registry<CoulombFriction>& frictionTypes();
 
-/// The friction coefficients of all joints as built, sorted by (block, neighbour), where `joints` gives any.
+/// Friction coefficients of pairs of blocks, sorted by (block, neighbour).
 using FrictionOfJoints = std::vector<std::pair<std::pair<int, int>, double>>;
+
+/// Those of all joints as built; empty where `joints` gives none that differs from that of all.
 template<int Dim>
 FrictionOfJoints frictionOfJoints(const ContactProperties& contact, const Assembly<Dim>& assembly);
+
+/// Those of pairs that are not known yet, by what `joints` says of their names and zones: patterns are slow
+/// to match, and a motion adds them to what it knows. \param known empty: there are none in the case \param
+/// points sorted by (block, neighbour)
+template<int Dim>
+FrictionOfJoints frictionOfNewPairs(const ContactProperties& contact, const Assembly<Dim>& assembly,
+                                    const FrictionOfJoints& known,
+                                    const std::vector<ContactPoint<Dim>>& points);
 
 /// Friction coefficient of each of `points` contact points: 0 without friction. Not for cases with `joints`.
 std::vector<double> frictionCoefficients(const ContactProperties& contact, std::size_t points);
 
-/// Friction coefficient of each point: that of its joint as built, and of blocks that met later what `joints`
-/// says of their zones.
+/// Friction coefficient of each point: that of its pair where it is known, or else as of new pairs. Arguments
+/// as above.
 template<int Dim>
 std::vector<double> frictionAt(const ContactProperties& contact, const Assembly<Dim>& assembly,
-                               const FrictionOfJoints& ofJoints,
-                               const std::vector<ContactPoint<Dim>>& points);
+                               const FrictionOfJoints& known, const std::vector<ContactPoint<Dim>>& points);
 
 /// Its line of the log of a motion; empty without friction.
 std::string frictionText(const ContactProperties& contact);

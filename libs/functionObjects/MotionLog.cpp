@@ -194,7 +194,7 @@ void printSummary(const MotionSummary<Dim>& summary, const Motion<Dim>& motion)
 }
 
 template<int Dim>
-void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, bool isChosen)
+void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time)
 {
     const double theta = scene.schemes.timeIntegration.theta;
     // What rounding moves a structure that stands still by says nothing: the energy of a fall by as little.
@@ -205,7 +205,7 @@ void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& mot
         info("Estimated error of the time integration: theta {:g} has dissipated {:.3g} J outside impacts, "
              "{:.2g}% of the largest kinetic energy. It is proportional to the steps{}{}\n",
              theta, motion.smoothLoss, 100 * motion.smoothLoss / motion.largestKinetic,
-             isChosen ? ", which adjustTimeStep chooses up to maxDeltaT" : "",
+             time.controls().adjustTimeStep ? ", which adjustTimeStep chooses up to maxDeltaT" : "",
              traitsOf(scene.effects).isCompliant ? "." : "; theta 0.5 is of second order.");
     }
     constexpr double noticeable = 0.01;
@@ -447,7 +447,7 @@ template void printScene(const DynamicCase<2>& scene, const Motion<2>& motion, c
                          const std::vector<std::string>& functions);
 template void printStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
 template void printSummary(const MotionSummary<2>& summary, const Motion<2>& motion);
-template void printIntegrationError(const DynamicCase<2>& scene, const Motion<2>& motion, bool isChosen);
+template void printIntegrationError(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
 template void printEffectUse(const DynamicCase<2>& scene, const Motion<2>& motion);
 template std::string unsolvedStep(const DynamicCase<2>& scene, const Motion<2>& motion, const Time& time);
 template void printAddedEffects(const DynamicCase<3>& scene);
@@ -455,7 +455,7 @@ template void printScene(const DynamicCase<3>& scene, const Motion<3>& motion, c
                          const std::vector<std::string>& functions);
 template void printStep(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time);
 template void printSummary(const MotionSummary<3>& summary, const Motion<3>& motion);
-template void printIntegrationError(const DynamicCase<3>& scene, const Motion<3>& motion, bool isChosen);
+template void printIntegrationError(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time);
 template void printEffectUse(const DynamicCase<3>& scene, const Motion<3>& motion);
 template std::string unsolvedStep(const DynamicCase<3>& scene, const Motion<3>& motion, const Time& time);
 

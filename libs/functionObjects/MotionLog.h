@@ -36,9 +36,8 @@ template<int Dim>
 void printSummary(const MotionSummary<Dim>& summary, const Motion<Dim>& motion);
 
 /// After the last step: what theta above 1/2 has dissipated outside impacts, as an estimate of the error.
-/// \param isChosen whether adjustTimeStep has chosen the steps
 template<int Dim>
-void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, bool isChosen);
+void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time);
 
 /// After the last step: the time that each stage of the steps has taken, and its part of all.
 void printStageTimes(const StageTimes& times);

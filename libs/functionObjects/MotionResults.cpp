@@ -260,7 +260,7 @@ typename MotionResults<Dim>::Frames MotionResults<Dim>::framesNow() const
         fields.push_back(std::move(bodies));
     }
     PolyData<Dim> ofBlocks = blockFrame(scene.assembly, motion.state.placements, std::move(fields));
-    const std::vector<double> friction = frictionAt(scene, motion.points);
+    const std::vector<double> friction = frictionAt(scene, motion);
     const std::vector<Vector<Dim>>& forces = meanContactForces(motion);
     std::vector<double> cohesion;
     std::vector<Field> pointFields;

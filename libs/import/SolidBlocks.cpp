@@ -218,6 +218,31 @@ int nearestBlock(const BlockRange& range, const std::vector<Block<3>>& blocks,
     return static_cast<int>(nearest);
 }
 
+/// 1 where the normal points into the block with the lower index, else -1; 0 where no face of the two lies
+/// along the joint. The nearest face that does decides. \param centre of the joint
+double sideOf(const StatedJoint<3>& joint, const Vector<3>& centre, const std::vector<Block<3>>& blocks)
+{
+    constexpr double along = 0.9;
+    double nearest = 1e300;
+    double sign = 0;
+    for (const auto& [block, side] : {std::pair(joint.block, -1.0), std::pair(joint.neighbour, 1.0)})
+    {
+        const Polyhedron& shape = blocks[static_cast<std::size_t>(block)].shape;
+        for (const std::vector<int>& face : shape.faces)
+        {
+            const Vector<3> faceArea = areaVector(shape, face);
+            const double cosine = joint.normal.dot(faceArea) / faceArea.norm();
+            const double distance = std::abs(joint.normal.dot(shape.vertices[face.front()] - centre));
+            if (std::abs(cosine) > along && distance < nearest)
+            {
+                nearest = distance;
+                sign = cosine > 0 ? side : -side;
+            }
+        }
+    }
+    return sign;
+}
+
 /// A joint from an interface: the normal is that of its outline, turned into the block with the lower index.
 StatedJoint<3> jointOf(const SolidInterface& interface, const std::vector<BlockRange>& blocksOf,
                        const std::vector<Block<3>>& blocks, const SolidSettings& settings,
@@ -250,25 +275,7 @@ StatedJoint<3> jointOf(const SolidInterface& interface, const std::vector<BlockR
                            "`interfaces ignored;`.",
                            joint.block, joint.neighbour));
     }
-    // The faces that lie along it say which side the block is on, nearest first.
-    double nearest = 1e300;
-    double sign = 0;
-    for (const auto& [block, side] : {std::pair(joint.block, -1.0), std::pair(joint.neighbour, 1.0)})
-    {
-        const Polyhedron& shape = blocks[static_cast<std::size_t>(block)].shape;
-        for (const std::vector<int>& face : shape.faces)
-        {
-            const Vector<3> faceArea = areaVector(shape, face);
-            const double cosine = joint.normal.dot(faceArea) / faceArea.norm();
-            const double distance = std::abs(joint.normal.dot(shape.vertices[face.front()] - centre));
-            constexpr double along = 0.9;
-            if (std::abs(cosine) > along && distance < nearest)
-            {
-                nearest = distance;
-                sign = cosine > 0 ? side : -side;
-            }
-        }
-    }
+    const double sign = sideOf(joint, centre, blocks);
     if (sign == 0)
     {
         refuse(
@@ -294,6 +301,31 @@ void stateJoints(Assembly<3>& assembly, const Solids& solids, const std::vector<
         assembly.statedJoints.push_back(jointOf(interface, blocksOf, assembly.blocks, settings, file));
     }
     sortByPair(assembly.statedJoints);
+}
+
+/// Joints are the interfaces of the file, where it has any and the settings do not say otherwise.
+void chooseJoints(Assembly<3>& assembly, const Solids& solids, const std::vector<Piece>& pieces,
+                  const SolidSettings& settings, const ImportedFile& file)
+{
+    const Interfaces usual = solids.interfaces.empty() ? Interfaces::ignored : Interfaces::contacts;
+    if (settings.interfaces.value_or(usual) == Interfaces::contacts)
+    {
+        if (solids.interfaces.empty())
+        {
+            refuse(file, 0,
+                   "The file has no interfaces: joints cannot be taken from it. Remove `interfaces "
+                   "contacts;`.");
+        }
+        stateJoints(assembly, solids, pieces, settings, file);
+        info("Import: the {} interfaces of the file are the joints{}", solids.interfaces.size(),
+             settings.interfaces ? "" : "; with `interfaces ignored;` they are found from the shapes");
+    }
+    else if (!solids.interfaces.empty())
+    {
+        info("Import: the {} interfaces of the file are not used, joints are found from the shapes; "
+             "`interfaces contacts;` makes them the joints",
+             solids.interfaces.size());
+    }
 }
 
 double largestUnevenness(const std::vector<Polyhedron>& shapes)
@@ -379,25 +411,7 @@ Assembly<3> solidBlocks(Solids solids, const SolidSettings& settings, const Impo
     {
         assembly.jointTolerance = tolerance;
     }
-    const Interfaces usual = solids.interfaces.empty() ? Interfaces::ignored : Interfaces::contacts;
-    if (settings.interfaces.value_or(usual) == Interfaces::contacts)
-    {
-        if (solids.interfaces.empty())
-        {
-            refuse(file, 0,
-                   "The file has no interfaces: joints cannot be taken from it. Remove `interfaces "
-                   "contacts;`.");
-        }
-        stateJoints(assembly, solids, pieces, settings, file);
-        info("Import: the {} interfaces of the file are the joints{}", solids.interfaces.size(),
-             settings.interfaces ? "" : "; with `interfaces ignored;` they are found from the shapes");
-    }
-    else if (!solids.interfaces.empty())
-    {
-        info("Import: the {} interfaces of the file are not used, joints are found from the shapes; "
-             "`interfaces contacts;` makes them the joints",
-             solids.interfaces.size());
-    }
+    chooseJoints(assembly, solids, pieces, settings, file);
     return assembly;
 }
 

@@ -141,6 +141,34 @@ std::vector<std::vector<int>> cellsOf(const Block<3>& block, const std::vector<V
     return cells;
 }
 
+/// What is taken of the ground, whose blocks may reach far beyond the others.
+template<int Dim>
+void clampSideways(std::vector<Vector<Dim>>& corners, const Box<Dim>& shown)
+{
+    for (Vector<Dim>& corner : corners)
+    {
+        for (int axis = 0; axis < Dim - 1; ++axis)
+        {
+            corner[axis] = std::clamp(corner[axis], shown.lower[axis], shown.upper[axis]);
+        }
+    }
+}
+
+/// Where the corners of each block are. \param placements one a block, or none: as built
+template<int Dim>
+std::vector<std::vector<Vector<Dim>>> cornersOfBlocks(const Assembly<Dim>& assembly,
+                                                      const std::vector<Placement<Dim>>& placements)
+{
+    std::vector<std::vector<Vector<Dim>>> corners;
+    corners.reserve(assembly.blocks.size());
+    for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
+    {
+        corners.push_back(placements.empty() ? cornersOf(assembly.blocks[i])
+                                             : placedCorners(assembly.blocks[i], placements[i]));
+    }
+    return corners;
+}
+
 void addVector(Field& field, const double* values)
 {
     field.values.insert(field.values.end(), values, values + field.components);
@@ -176,13 +204,7 @@ PolyData<Dim> blockFrame(const Assembly<Dim>& assembly, const std::vector<Placem
     PolyData<Dim> data;
     data.kind = CellKind::polygon;
     std::vector<std::size_t> blockOfCell;
-    std::vector<std::vector<Vector<Dim>>> placed;
-    placed.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        placed.push_back(placements.empty() ? cornersOf(assembly.blocks[i])
-                                            : placedCorners(assembly.blocks[i], placements[i]));
-    }
+    std::vector<std::vector<Vector<Dim>>> placed = cornersOfBlocks(assembly, placements);
     const Box<Dim> shown = groundView(assembly, placed);
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -195,13 +217,7 @@ PolyData<Dim> blockFrame(const Assembly<Dim>& assembly, const std::vector<Placem
         }
         if (isGround(assembly, assembly.blocks[i]))
         {
-            for (Vector<Dim>& vertex : placed[i])
-            {
-                for (int axis = 0; axis < Dim - 1; ++axis)
-                {
-                    vertex[axis] = std::clamp(vertex[axis], shown.lower[axis], shown.upper[axis]);
-                }
-            }
+            clampSideways<Dim>(placed[i], shown);
         }
         for (const std::vector<int>& cell : cellsOf(assembly.blocks[i], placed[i]))
         {

@@ -11,19 +11,8 @@ namespace drystone
 namespace
 {
 
-/// Multiplications of a factorisation from which it is done by fronts. Measured on walls, one core; a
-/// factorisation and a solve, by blocks, by fronts and by CHOLMOD 3 (simplicial first, then supernodal, on
-/// OpenBLAS) [ms]:
-///
-///     blocks  multiplications   by blocks        by fronts       CHOLMOD
-///        146       8e4          0.037 0.005      0.030 0.009     0.14 0.010
-///        410       1.3e6        0.31  0.03       0.27  0.03      1.06 0.07
-///      1,620       1.4e7        3.0   0.23       2.2   0.19      5.9  0.4
-///      6,440       1.2e8        25    2.5        16    2.4       30   3.4
-///     25,680       1e9          285   31         100   13        180  20
-///    102,560       8e9          2,100 -          730   70        1,000 100
-///
-/// A solution takes six to ten solves with each factor.
+/// Multiplications of a factorisation from which it is done by fronts: with six to ten solves for each factor
+/// the time of both is about the same there.
 constexpr double frontalOperations = 5e5;
 
 } // namespace

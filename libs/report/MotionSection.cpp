@@ -36,55 +36,71 @@ struct SpeedsAtEnd
     bool isMean = false;         ///< since the frame before
 };
 
-/// From the state that was written with the last frame, or if there is none from the last two frames.
-/// \return nothing where neither says it
+/// From the state that was written with the last frame. \param free see freeIndices \return empty: there is
+/// none, or it is damaged or of another structure
 template<int Dim>
-std::optional<SpeedsAtEnd> speedsAtEnd(const fs::path& caseDirectory, const Assembly<Dim>& assembly,
-                                       const std::vector<BlockFrame>& frames)
+std::vector<double> speedsOfState(const fs::path& caseDirectory, const std::vector<int>& free, double time)
 {
-    const std::vector<int> free = freeIndices(assembly);
-    SpeedsAtEnd speeds{std::vector<double>(assembly.blocks.size()), false};
     const auto rows =
         freedomCount<Dim> * static_cast<std::size_t>(*std::max_element(free.begin(), free.end()) + 1);
     for (const TimeDirectory& directory : timeDirectories(caseDirectory))
     {
         const fs::path file = caseDirectory / directory.name / "state";
-        if (std::abs(directory.time - frames.back().time) > 1e-9 * directory.time || !fs::exists(file))
+        if (std::abs(directory.time - time) > 1e-9 * directory.time || !fs::exists(file))
         {
             continue;
         }
         try
         {
             const std::vector<double> velocity = stateArray(readState(file), "velocity", rows);
+            std::vector<double> speeds(free.size());
             for (std::size_t block = 0; block < free.size(); ++block)
             {
                 const auto first = static_cast<std::ptrdiff_t>(freedomCount<Dim>) * free[block];
-                speeds.ofBlock[block] =
+                speeds[block] =
                     free[block] < 0 ? 0 : Eigen::Map<const Vector<Dim>>(velocity.data() + first).norm();
             }
             return speeds;
         }
         catch (const FatalError&)
         {
-            break; // damaged, or of another structure
+            break;
         }
     }
-    if (frames.size() < 2)
-    {
-        return std::nullopt;
-    }
-    speeds.isMean = true;
-    const BlockFrame& last = frames.back();
-    const BlockFrame& before = frames[frames.size() - 2];
+    return {};
+}
+
+/// Between two frames. \param free likewise
+std::vector<double> meanSpeeds(const BlockFrame& before, const BlockFrame& after,
+                               const std::vector<int>& free)
+{
+    std::vector<double> speeds(free.size());
     for (std::size_t block = 0; block < free.size(); ++block)
     {
         const auto column = static_cast<Eigen::Index>(block);
-        speeds.ofBlock[block] = free[block] < 0
-                                    ? 0
-                                    : (last.displacement.col(column) - before.displacement.col(column)).norm()
-                                          / (last.time - before.time);
+        speeds[block] = free[block] < 0
+                            ? 0
+                            : (after.displacement.col(column) - before.displacement.col(column)).norm()
+                                  / (after.time - before.time);
     }
     return speeds;
+}
+
+/// From the state of the last frame, or if there is none from the last two frames. \return nothing where
+/// neither says it
+template<int Dim>
+std::optional<SpeedsAtEnd> speedsAtEnd(const fs::path& caseDirectory, const Assembly<Dim>& assembly,
+                                       const std::vector<BlockFrame>& frames)
+{
+    const std::vector<int> free = freeIndices(assembly);
+    if (std::vector<double> ofState = speedsOfState<Dim>(caseDirectory, free, frames.back().time);
+        !ofState.empty())
+    {
+        return SpeedsAtEnd{std::move(ofState), false};
+    }
+    return frames.size() < 2
+               ? std::nullopt
+               : std::optional(SpeedsAtEnd{meanSpeeds(frames[frames.size() - 2], frames.back(), free), true});
 }
 
 /// What can be said of a structure none of whose blocks is far from its place. It stands unless a block still
@@ -152,45 +168,63 @@ RunEnd endOfRun(const fs::path& caseDirectory)
     return end;
 }
 
-/// How far blocks go in the frames of a motion, and where they are at its end.
-template<int Dim>
-std::vector<std::string> motionMeaning(const fs::path& caseDirectory, const Assembly<Dim>& assembly,
-                                       const std::vector<BlockFrame>& frames)
+struct Farthest
 {
-    struct Farthest
-    {
-        double distance = 0; ///< [m]
-        std::size_t block = 0;
-        double time = 0; ///< [s]
-    };
-    const RunEnd end = endOfRun(caseDirectory);
-    Farthest largest;
+    double distance = 0; ///< [m]
+    std::size_t block = 0;
+    double time = 0; ///< [s]
+};
+
+/// How far free blocks go.
+struct Distances
+{
+    Farthest inAllFrames;
     Farthest atTheEnd;
-    const double far = 0.5 * meanBlockSize(assembly);
-    int away = 0;
-    int freeBlocks = 0;
+    int away = 0; ///< blocks that are far from their places at the end
+    int blocks = 0;
+};
+
+/// \param far beyond which blocks are away [m]
+template<int Dim>
+Distances distancesOf(const Assembly<Dim>& assembly, const std::vector<BlockFrame>& frames, double far)
+{
+    Distances distances;
     for (const BlockFrame& frame : frames)
     {
         const bool isLast = &frame == &frames.back();
         for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
         {
-            const double distance = frame.displacement.col(static_cast<Eigen::Index>(block)).norm();
             if (assembly.blocks[block].support >= 0)
             {
                 continue;
             }
-            if (distance > largest.distance) // not where it is NaN, of a block that was deleted
+            const Farthest own{frame.displacement.col(static_cast<Eigen::Index>(block)).norm(), block,
+                               frame.time};
+            if (own.distance > distances.inAllFrames.distance) // not NaN, of a block that was deleted
             {
-                largest = {distance, block, frame.time};
+                distances.inAllFrames = own;
             }
             if (isLast)
             {
-                atTheEnd = distance > atTheEnd.distance ? Farthest{distance, block, frame.time} : atTheEnd;
-                away += distance <= far ? 0 : 1;
-                ++freeBlocks;
+                distances.atTheEnd = own.distance > distances.atTheEnd.distance ? own : distances.atTheEnd;
+                distances.away += own.distance <= far ? 0 : 1;
+                ++distances.blocks;
             }
         }
     }
+    return distances;
+}
+
+/// How far blocks go in the frames of a motion, and where they are at its end.
+template<int Dim>
+std::vector<std::string> motionMeaning(const fs::path& caseDirectory, const Assembly<Dim>& assembly,
+                                       const std::vector<BlockFrame>& frames)
+{
+    const RunEnd end = endOfRun(caseDirectory);
+    const double far = 0.5 * meanBlockSize(assembly);
+    const Distances distances = distancesOf(assembly, frames, far);
+    const Farthest& largest = distances.inAllFrames;
+    const Farthest& atTheEnd = distances.atTheEnd;
     const bool isWhole = end.time <= frames.back().time * (1 + 1e-9);
     std::vector<std::string> sentences{
         fmt::format(
@@ -198,8 +232,9 @@ std::vector<std::string> motionMeaning(const fs::path& caseDirectory, const Asse
             largest.distance, largest.block, largest.time),
         fmt::format("After {:.4g} s the largest displacement of a block is {:.4g} m, of block {}; {} of {} "
                     "blocks are farther from their places than half the mean block size of {:.3g} m{}.",
-                    frames.back().time, atTheEnd.distance, atTheEnd.block, away, freeBlocks, 2 * far,
-                    away == 0 && isWhole && end.isAtItsEnd() && !end.isBroken
+                    frames.back().time, atTheEnd.distance, atTheEnd.block, distances.away, distances.blocks,
+                    2 * far,
+                    distances.away == 0 && isWhole && end.isAtItsEnd() && !end.isBroken
                         ? standing(speedsAtEnd(caseDirectory, assembly, frames), frames, far)
                         : "")};
     if (!isWhole)

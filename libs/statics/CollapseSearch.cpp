@@ -25,9 +25,8 @@ constexpr double firstSpread = 0.2;
 constexpr double secondSpread = 0.5;
 constexpr double largestSpread = 1.5;
 
-/// With more points than these a path takes minutes: of 527 blocks in space (5,980 points) more than six, of
-/// 1,620 in the plane (9,560) five. Of 250 in space (2,836) one takes ten seconds, no more than the exchanges
-/// that follow, and paths come lower.
+/// With more points than these a path takes minutes; with fewer no more than the exchanges that follow, and
+/// paths lead to lower multipliers.
 constexpr int mostPathPoints = 4000;
 
 /// gamma of the first path, whose mechanism is that of the associative law; later ones have 1.01 to 2.

@@ -170,6 +170,32 @@ TEST(SlidingBlock, AJointThatIsMadeInMotionHasTheFrictionOfItsZones)
     }
 }
 
+// Patterns are slow to match: blocks that meet are looked up once, not in each step.
+TEST(SlidingBlock, NamesOfBlocksThatMeetAreMatchedOnce)
+{
+    Assembly<2> assembly = blockOnGround();
+    assembly.blocks.push_back(scenes::rectangle(2, 0.001, 1, 0.4));
+    DynamicCase<2> scene = scenes::sceneOf(std::move(assembly), {.mu = 0.8});
+    int matched = 0;
+    const auto countedMatch = [&matched](const std::string&)
+    {
+        ++matched;
+        return true;
+    };
+    scene.contact.joints = {
+        {NamePattern{".*", countedMatch}, JointProperties{JointFriction{0.2}, {}, {}, {}}}};
+    scene.jointFriction = frictionOfJoints(scene.contact, scene.assembly);
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    const int asBuilt = matched;
+    for (int step = 0; step < 50; ++step)
+    {
+        ASSERT_TRUE(advance(scene, motion, 2e-3)) << step;
+    }
+    EXPECT_EQ(matched, asBuilt + 1);
+    EXPECT_EQ(frictionAt(scene, motion), std::vector<double>(4, 0.2));
+    EXPECT_EQ(matched, asBuilt + 1);
+}
+
 TEST(SlidingBlock, AssociativeFrictionHoversAtMuTimesTheStepTimesTheVelocity)
 {
     // What this flow rule does, in proportion to the step; not what blocks do.

@@ -82,7 +82,7 @@ int runIn(const CommandLine& commandLine)
     }
     results.finish();
     progress.clear();
-    printIntegrationError(scene, motion, time.controls().adjustTimeStep);
+    printIntegrationError(scene, motion, time);
     printEffectUse(scene, motion);
     printStageTimes(motion.stageTimes);
     printSummary(summary, motion);

@@ -45,8 +45,7 @@ constexpr double fullCorrection = 0.9; ///< a correction gets at least this weig
 
 /// Part of the way to the boundary that is gone at least; with rays the more, the nearer the end. A round
 /// cone that comes nearer to its surface than its neighbours bends the scaled space so that steps become
-/// short: walls of English and Flemish bonds take 11 to 17 factorisations with this, up to 70 with that of
-/// rays.
+/// short.
 constexpr double partOfWay = 0.99;
 constexpr double partOfWayOfRounds = 0.98;
 

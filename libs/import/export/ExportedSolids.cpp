@@ -35,7 +35,7 @@ Polyhedron shapeOf(const Block<2>& block, const Placement<2>& placement)
 } // namespace
 
 template<int Dim>
-std::vector<std::vector<std::string>> zonesOfBlocks(const Assembly<Dim>& assembly)
+std::vector<std::vector<std::string>> groupsOfBlocks(const Assembly<Dim>& assembly)
 {
     std::vector<std::vector<std::string>> names(assembly.blocks.size());
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -63,7 +63,7 @@ template<int Dim>
 std::vector<std::string> layersOf(const Assembly<Dim>& assembly)
 {
     std::vector<std::string> layers;
-    for (const std::vector<std::string>& zones : zonesOfBlocks(assembly))
+    for (const std::vector<std::string>& zones : groupsOfBlocks(assembly))
     {
         layers.push_back(zones.empty() ? "blocks" : zones.front());
     }
@@ -75,7 +75,7 @@ std::vector<ExportedSolid> exportedSolids(const Assembly<Dim>& assembly,
                                           const std::vector<Placement<Dim>>& placements,
                                           const std::vector<double>& densities)
 {
-    std::vector<std::vector<std::string>> zones = zonesOfBlocks(assembly);
+    std::vector<std::vector<std::string>> zones = groupsOfBlocks(assembly);
     const std::vector<std::string> layers = layersOf(assembly);
     std::vector<ExportedSolid> solids;
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
@@ -87,10 +87,6 @@ std::vector<ExportedSolid> exportedSolids(const Assembly<Dim>& assembly,
     return solids;
 }
 
-template std::vector<std::vector<std::string>> zonesOfBlocks(const Assembly<2>& assembly);
-template std::vector<std::vector<std::string>> zonesOfBlocks(const Assembly<3>& assembly);
-template std::vector<std::string> layersOf(const Assembly<2>& assembly);
-template std::vector<std::string> layersOf(const Assembly<3>& assembly);
 int flattenedBlock(const std::vector<ExportedSolid>& solids, int decimals)
 {
     constexpr double least = 0.5;
@@ -110,13 +106,6 @@ int flattenedBlock(const std::vector<ExportedSolid>& solids, int decimals)
     return -1;
 }
 
-template std::vector<ExportedSolid> exportedSolids(const Assembly<2>& assembly,
-                                                   const std::vector<Placement<2>>& placements,
-                                                   const std::vector<double>& densities);
-template std::vector<ExportedSolid> exportedSolids(const Assembly<3>& assembly,
-                                                   const std::vector<Placement<3>>& placements,
-                                                   const std::vector<double>& densities);
-
 std::vector<std::array<int, 3>> trianglesOf(const Polyhedron& shape, const std::vector<int>& face)
 {
     std::vector<std::array<int, 3>> triangles;
@@ -129,20 +118,23 @@ std::vector<std::array<int, 3>> trianglesOf(const Polyhedron& shape, const std::
         }
         return triangles;
     }
-    for (const std::array<Vector<2>, 3>& corners : triangulate(polygon.outline))
+    for (const auto& [a, b, c] : triangleCorners(polygon.outline))
     {
-        std::array<int, 3> triangle{};
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-            const auto nearest =
-                std::min_element(polygon.outline.begin(), polygon.outline.end(),
-                                 [&](const Vector<2>& a, const Vector<2>& b)
-                                 { return (a - corners[k]).norm() < (b - corners[k]).norm(); });
-            triangle[k] = face[static_cast<std::size_t>(nearest - polygon.outline.begin())];
-        }
-        triangles.push_back(triangle);
+        triangles.push_back({face[static_cast<std::size_t>(a)], face[static_cast<std::size_t>(b)],
+                             face[static_cast<std::size_t>(c)]});
     }
     return triangles;
 }
+
+template std::vector<std::vector<std::string>> groupsOfBlocks(const Assembly<2>& assembly);
+template std::vector<std::vector<std::string>> groupsOfBlocks(const Assembly<3>& assembly);
+template std::vector<std::string> layersOf(const Assembly<2>& assembly);
+template std::vector<std::string> layersOf(const Assembly<3>& assembly);
+template std::vector<ExportedSolid> exportedSolids(const Assembly<2>& assembly,
+                                                   const std::vector<Placement<2>>& placements,
+                                                   const std::vector<double>& densities);
+template std::vector<ExportedSolid> exportedSolids(const Assembly<3>& assembly,
+                                                   const std::vector<Placement<3>>& placements,
+                                                   const std::vector<double>& densities);
 
 } // namespace drystone

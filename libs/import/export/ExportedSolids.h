@@ -32,7 +32,7 @@ int flattenedBlock(const std::vector<ExportedSolid>& solids, int decimals);
 
 /// The name of its support, if it has one, and those of its zones, for each block.
 template<int Dim>
-std::vector<std::vector<std::string>> zonesOfBlocks(const Assembly<Dim>& assembly);
+std::vector<std::vector<std::string>> groupsOfBlocks(const Assembly<Dim>& assembly);
 
 /// The layer of each block: the first of these names, or `blocks`.
 template<int Dim>

@@ -17,7 +17,7 @@ namespace
 template<int Dim>
 void addZones(const Assembly<Dim>& assembly, std::string_view format, std::vector<std::string>& texts)
 {
-    const std::vector<std::vector<std::string>> names = zonesOfBlocks(assembly);
+    const std::vector<std::vector<std::string>> names = groupsOfBlocks(assembly);
     const auto isInSeveral = [](const std::vector<std::string>& ofBlock) { return ofBlock.size() > 1; };
     const auto first = std::find_if(names.begin(), names.end(), isInSeveral);
     if (first != names.end())

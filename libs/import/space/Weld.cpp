@@ -30,6 +30,31 @@ struct CellHash
     }
 };
 
+/// Cells of the grid.
+struct Cells
+{
+    std::array<Cell, 8> cell{};
+    std::size_t count = 0;
+};
+
+/// Those that a box smaller than a cell meets: one, or two next to each other, along each axis.
+Cells cellsBetween(const Cell& lowest, const Cell& highest)
+{
+    Cells cells;
+    cells.cell[cells.count++] = lowest;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        const std::size_t before = highest[axis] != lowest[axis] ? cells.count : 0;
+        for (std::size_t i = 0; i < before; ++i)
+        {
+            Cell& other = cells.cell[cells.count++];
+            other = cells.cell[i];
+            other[axis] = highest[axis];
+        }
+    }
+    return cells;
+}
+
 } // namespace
 
 std::vector<int> weld(const std::vector<Vector<3>>& points, double tolerance, const std::vector<int>& owners)
@@ -56,27 +81,11 @@ std::vector<int> weld(const std::vector<Vector<3>>& points, double tolerance, co
     {
         const int owner = owners.empty() ? -1 : owners[i];
         const Vector<3> reach = Vector<3>::Constant(tolerance);
-        const Cell lowest = cellOf(points[i] - reach);
-        const Cell highest = cellOf(points[i] + reach);
-        int node = -1;
-        // One cell, or two next to each other, along each axis.
-        for (int corner = 0; corner < 8; ++corner)
+        const Cells near = cellsBetween(cellOf(points[i] - reach), cellOf(points[i] + reach));
+        int node = -1; // the first that is near enough
+        for (std::size_t cell = 0; cell < near.count; ++cell)
         {
-            Cell cell = lowest;
-            bool isNew = true;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-            {
-                if ((corner >> axis & 1) != 0)
-                {
-                    isNew = isNew && highest[axis] != lowest[axis];
-                    cell[axis] = highest[axis];
-                }
-            }
-            if (!isNew)
-            {
-                continue;
-            }
-            const auto [first, last] = nodesIn.equal_range(cell);
+            const auto [first, last] = nodesIn.equal_range(near.cell[cell]);
             for (auto found = first; found != last; ++found)
             {
                 const auto index = static_cast<std::size_t>(found->second);
