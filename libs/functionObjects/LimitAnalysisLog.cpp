@@ -227,17 +227,21 @@ void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis
             structure.movement ? fmt::format("the base reaction is {:.3g} N more", carriedLess)
                                : fmt::format("{:.2g}% less than alpha", 100 * carriedLess / size),
             jointPointsOf<PointGrid>(structure.contact)
-                ? "Give a finer grid, or `jointPoints { type adaptive; }`."
+                ? structure.movement ? "Give a finer grid."
+                                     : "Give a finer grid, or `jointPoints { type adaptive; }`."
                 : "No more points are added; `jointPoints { type grid; }` may have more."));
         return;
     }
     if (less > worthSaying * size)
     {
         const std::string bound = fmt::format(
-            "Over the whole faces of its joints this mechanism has {}: strengths "
-            "act at contact points. With `jointPoints {{ type adaptive; tolerance 1e-4; }}` or a finer grid "
+            "Over the whole faces of its joints this mechanism has {}: strengths act at contact points. With "
+            "{} "
             "both come nearer to the exact {}.",
-            ofFaces, structure.movement ? "reaction" : "multiplier");
+            ofFaces,
+            structure.movement ? "a finer grid, `jointPoints { type grid; perSide 9; }` say,"
+                               : "`jointPoints { type adaptive; tolerance 1e-4; }` or a finer grid",
+            structure.movement ? "reaction" : "multiplier");
         less > worthWarning* size ? printWarning(bound) : printLine(bound);
     }
 }

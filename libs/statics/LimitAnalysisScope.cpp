@@ -126,11 +126,12 @@ void requireAvailable(const LimitAnalysisCase<3>& structure)
         requirePushover(structure);
     }
     if (jointPointsOf<AdaptivePoints>(structure.contact)
-        && flowRuleOf(structure.contact) == FlowRule::nonAssociative)
+        && (structure.movement || flowRuleOf(structure.contact) == FlowRule::nonAssociative))
     {
         throw FatalIOError(
-            "`jointPoints { type adaptive; }` goes by the mechanism of the associative flow rule. Write "
-            "`jointPoints { type grid; perSide 5; }`, or remove `flowRule nonAssociative;`.",
+            "`jointPoints { type adaptive; }` goes by the mechanism of a live load with the associative "
+            "flow rule. Write `jointPoints { type grid; perSide 5; }`, or remove supportMovement and "
+            "`flowRule nonAssociative;`.",
             structure.contact.locations.of("jointPoints"));
     }
 }

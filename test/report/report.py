@@ -158,6 +158,22 @@ class Report(CaseTest):
             file.write(good)
         self.checkWarnsOfNothing(case)
 
+    def testNamesOfCombinationsAreThoseOfTheirAnswers(self):
+        case = self.caseOf("../combinedLoads/combinations")
+        self.runApplication("limitAnalysis", case)
+        self.run_(case)
+        self.assertIn("Combination pulled: alpha = 4.905", self.read(case, "report.html"))
+        name = "postProcessing/limitAnalysis/0/limitAnalysis.dat"
+        heading, first, _, last = self.read(case, name).splitlines()
+        with open(os.path.join(case, name), "w", encoding="utf-8") as file:
+            file.write(f"{heading}\n{first}\n{last}\n")
+        done = self.run_(case)
+        fault = "combinations.dat does not have the 2 answers of limitAnalysis.dat"
+        self.assertIn(fault, done.stdout + done.stderr)
+        page = self.read(case, "report.html")
+        self.assertIn(fault, page)
+        self.assertNotIn("Combination loaded", page)
+
     def edit(self, case, name, entry, value):
         self.runApplication("caseDictionary", case, name, "-entry", entry, "-set", value)
 
