@@ -396,6 +396,19 @@ statistics { capacity { type distribution; value alpha; } }
                 self.assertIn("mechanism.svg is cut off, or empty, and left out", said)
             self.assertEqual(page.count("<svg"), page.count("</svg>"))
 
+    def testAPictureWithAScriptIsLeftOut(self):
+        case = self.wall()
+        self.runApplication("limitAnalysis", case)
+        picture = "postProcessing/limitAnalysis/0/mechanism.svg"
+        whole = self.read(case, picture)
+        for added in ("<script>alert(1)</script></svg>", "<g\nONCLICK = 'alert(1)'/></svg>",
+                      "<a href=\"javascript:alert(1)\"/></svg>"):
+            with open(os.path.join(case, picture), "w", encoding="utf-8") as file:
+                file.write(whole.replace("</svg>", added))
+            done = self.run_(case)
+            self.assertIn("mechanism.svg has a script", done.stdout + done.stderr)
+            self.assertNotIn("alert(1)", self.read(case, "report.html"))
+
     def testSaysWhichLawTheForcesObey(self):
         for name, said in (("../jointStrength/tension", "balance it with tension up to a strength"),
                            ("../jointStrength/cohesion", "and cohesion"),
