@@ -159,12 +159,27 @@ std::vector<std::string> sidesOfJoints(const Assembly<Dim>& assembly)
     return sides;
 }
 
+/// Says which of two entries counts that name a joint by zones in which its blocks are both.
+void questionZones(const ContactProperties& properties, const NamedJoint& before, const NamedJoint& chosen)
+{
+    const std::string path = "joints/";
+    const std::string& name = chosen.first.text;
+    printWarningOnce(
+        fmt::format("Joints are named twice by the zones of their blocks, as {} at line {} and as {} "
+                    "at line {}: {}, which comes later, counts. Names of two blocks, as 3-7, come "
+                    "before both.",
+                    before.first.text, properties.locations.of(path + before.first.text).line, name,
+                    properties.locations.of(path + name).line, name),
+        properties.locations.of(path + name));
+}
+
 /// The entry that a joint takes: the one that names it most closely.
 /// \throws FatalIOError where two entries are one name in either order: neither is the last by intention
 const NamedJoint* entryOf(const ContactProperties& properties, const JointNames& names,
                           std::vector<char>& isMatched)
 {
     const NamedJoint* chosen = nullptr;
+    const NamedJoint* equallyClose = nullptr; // before the chosen one
     Match best = Match::none;
     for (std::size_t i = 0; i < properties.joints.size(); ++i)
     {
@@ -187,10 +202,15 @@ const NamedJoint* entryOf(const ContactProperties& properties, const JointNames&
                                     properties.locations.of(path + name).line),
                         properties.locations.of(path + name));
                 }
+                equallyClose = match == best ? chosen : nullptr;
                 chosen = &properties.joints[i];
                 best = match;
             }
         }
+    }
+    if (best == Match::zones && equallyClose)
+    {
+        questionZones(properties, *equallyClose, *chosen);
     }
     return chosen;
 }

@@ -192,48 +192,57 @@ void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis
 {
     constexpr double worthSaying = 1e-5;
     constexpr double worthWarning = 0.02;
-    if (structure.movement || result.coulomb || result.alpha == 0)
+    if (result.coulomb || sizeOf(structure, result) == 0)
     {
         return;
     }
+    const double size = sizeOf(structure, result);
     const Eigen::VectorXd& live = liveLoadOf(structure, result);
     const double less =
         sumOf(dissipatedLessByCell(structure.program, structure.patches, live, result.mechanism));
     const double carriedLess = sumOf(
         carriedLessByCell(structure.program, structure.patches, live, result.mechanism, result.contactForce));
+    const std::string ofFaces =
+        structure.movement
+            ? fmt::format("a base reaction >= {:.6g} N, {:.3g} N more", result.alpha + less, less)
+            : fmt::format("alpha {} {:.6g}, {:.2g}% less", boundSign(result),
+                          result.alpha - std::copysign(less, live.dot(result.mechanism)), 100 * less / size);
     const AdaptivePoints* adaptive = jointPointsOf<AdaptivePoints>(structure.contact);
-    if (adaptive && less > adaptive->tolerance * std::abs(result.alpha))
+    if (adaptive && less > adaptive->tolerance * size)
     {
         printWarning(
             fmt::format("The tolerance {:g} of jointPoints is not reached: over the whole faces of its "
-                        "joints this mechanism has alpha {} {:.6g}, {:.2g}% less. With {} contact points "
+                        "joints this mechanism has {}. With {} contact points "
                         "no more are added.",
-                        adaptive->tolerance, boundSign(result),
-                        result.alpha - std::copysign(less, live.dot(result.mechanism)),
-                        100 * less / std::abs(result.alpha), structure.points.size()));
+                        adaptive->tolerance, ofFaces, structure.points.size()));
         return;
     }
     const double tolerance = adaptive ? adaptive->tolerance : AdaptivePoints().tolerance;
-    if (carriedLess > std::max(less, 2 * tolerance * std::abs(result.alpha)))
+    if (carriedLess > std::max(less, 2 * tolerance * size))
     {
         printWarning(fmt::format(
             "The stress that joints bear over their faces carries less than their {} contact points: by an "
-            "estimate {:.2g}% less than alpha. {}",
-            structure.points.size(), 100 * carriedLess / std::abs(result.alpha),
+            "estimate {}. {}",
+            structure.points.size(),
+            structure.movement ? fmt::format("the base reaction is {:.3g} N more", carriedLess)
+                               : fmt::format("{:.2g}% less than alpha", 100 * carriedLess / size),
             jointPointsOf<PointGrid>(structure.contact)
-                ? "Give a finer grid, or `jointPoints { type adaptive; }`."
+                ? structure.movement ? "Give a finer grid."
+                                     : "Give a finer grid, or `jointPoints { type adaptive; }`."
                 : "No more points are added; `jointPoints { type grid; }` may have more."));
         return;
     }
-    if (less > worthSaying * std::abs(result.alpha))
+    if (less > worthSaying * size)
     {
         const std::string bound = fmt::format(
-            "Over the whole faces of its joints this mechanism has alpha {} {:.6g}, {:.2g}% less: strengths "
-            "act at contact points. With `jointPoints {{ type adaptive; tolerance 1e-4; }}` or a finer grid "
-            "both come nearer to the exact multiplier.",
-            boundSign(result), result.alpha - std::copysign(less, live.dot(result.mechanism)),
-            100 * less / std::abs(result.alpha));
-        less > worthWarning* std::abs(result.alpha) ? printWarning(bound) : printLine(bound);
+            "Over the whole faces of its joints this mechanism has {}: strengths act at contact points. With "
+            "{} "
+            "both come nearer to the exact {}.",
+            ofFaces,
+            structure.movement ? "a finer grid, `jointPoints { type grid; perSide 9; }` say,"
+                               : "`jointPoints { type adaptive; tolerance 1e-4; }` or a finer grid",
+            structure.movement ? "reaction" : "multiplier");
+        less > worthWarning* size ? printWarning(bound) : printLine(bound);
     }
 }
 

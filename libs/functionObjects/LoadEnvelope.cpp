@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace drystone
 {
@@ -92,9 +93,9 @@ std::vector<EnvelopePoint> envelopeOf(const LimitAnalysisCase<Dim>& structure)
         {
             points.push_back(point);
         }
-        else if (!(points.back().alpha <= point.alpha))
+        else if (std::isnan(points.back().alpha) || point.alpha < points.back().alpha)
         {
-            points.back() = point;
+            points.back() = point; // that of the other side of a joint may not be known
         }
     }
     return points;
@@ -191,6 +192,37 @@ void printPlacesLeftOut(const CaseLoads<Dim>& loads)
          describe(loads.locations.of("live/from")));
 }
 
+/// Says where by Coulomb's law no collapse has been found: such a place may be worse than the worst of the
+/// others.
+template<int Dim>
+void warnOfPlacesWithoutAnswer(const LimitAnalysisCase<Dim>& structure, std::size_t places)
+{
+    std::vector<double> distances;
+    double bound = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < structure.envelope.size(); ++i)
+    {
+        if (structure.envelope[i].status == CollapseStatus::upperBound)
+        {
+            distances.push_back(structure.loads.positions[i].distance);
+            bound = std::min(bound, structure.envelope[i].alpha);
+        }
+    }
+    distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
+    if (distances.empty())
+    {
+        return;
+    }
+    const double length =
+        structure.loads.positions.back().distance - structure.loads.positions.front().distance;
+    printWarning(fmt::format(
+        "At {} of these places, {} m along the path, no collapse by Coulomb's law was found{}: the worst "
+        "place is "
+        "that of the others. More starts in system/solution/limitAnalysis/nonAssociative may find one.",
+        distances.size(),
+        rangesText(distances, length / static_cast<double>(std::max<std::size_t>(2, places) - 1)),
+        std::isfinite(bound) ? fmt::format(", where by the associative law alpha <= {:.6g}", bound) : ""));
+}
+
 } // namespace
 
 template<int Dim>
@@ -207,6 +239,7 @@ void printEnvelope(const LimitAnalysisCase<Dim>& structure)
                                        [](const EnvelopePoint& point) { return std::isinf(point.alpha); });
     info("Moving load: {} places{}", points.size(),
          carried > 0 ? fmt::format(", at {} of them no load makes the structure collapse", carried) : "");
+    warnOfPlacesWithoutAnswer(structure, points.size());
     printPlacesLeftOut(structure.loads);
     std::vector<int> blocks = position.blocks; // two axles may spread over the same
     std::sort(blocks.begin(), blocks.end());

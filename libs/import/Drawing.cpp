@@ -208,7 +208,7 @@ Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings,
     info("Import: a unit of the drawing is {:g} m, {}", scale,
          settings.scale ? "as `scale` says"
                         : (drawing.unit ? "as the file says" : "as the file does not say"));
-    assembly.zones = zones.take();
+    assembly.zones = zones.take(file);
     assembly.jointTolerance =
         settings.tolerance ? settings.tolerance : toleranceOfRounding(assembly, scale * drawing.rounding);
     return assembly;

@@ -159,6 +159,27 @@ void makeSolid(Piece& piece, double tolerance, Tally& tally)
     }
 }
 
+/// Where a face is: its index is that after corners have been joined and coplanar faces merged.
+std::string placeOf(const Polyhedron& shape, int face)
+{
+    if (face < 0)
+    {
+        return {};
+    }
+    const std::vector<int>& corners = shape.faces[static_cast<std::size_t>(face)];
+    Vector<3> middle = Vector<3>::Zero();
+    for (const int corner : corners)
+    {
+        if (corner < 0 || corner >= static_cast<int>(shape.vertices.size()))
+        {
+            return {};
+        }
+        middle += shape.vertices[static_cast<std::size_t>(corner)] / static_cast<double>(corners.size());
+    }
+    return fmt::format(". The corners of face {} have their middle at ({:.6g} {:.6g} {:.6g}) m", face,
+                       middle.x(), middle.y(), middle.z());
+}
+
 void requireSolid(const ImportedFile& file, const Piece& piece, std::size_t index)
 {
     if (piece.shape.faces.size() > mostFaces)
@@ -174,7 +195,8 @@ void requireSolid(const ImportedFile& file, const Piece& piece, std::size_t inde
                     fault->text
                         + (fault->text.find("is not plane") != std::string::npos ? fmt::format(
                                ", or state a tolerance of {:.2g} m within which faces are made plane", uneven)
-                                                                                 : ""));
+                                                                                 : "")
+                        + placeOf(piece.shape, fault->face));
     }
 }
 
@@ -405,7 +427,7 @@ Assembly<3> solidBlocks(Solids solids, const SolidSettings& settings, const Impo
             zones.add(zone, static_cast<int>(i));
         }
     }
-    assembly.zones = zones.take();
+    assembly.zones = zones.take(file);
     printTally(tally, planes, isRounded ? tolerance : unevenUnits * uneven, rounding);
     if (isRounded)
     {

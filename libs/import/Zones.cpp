@@ -2,6 +2,11 @@
 /// Names of zones.
 #include "import/Zones.h"
 
+#include "core/Error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <utility>
 
 namespace drystone
@@ -19,7 +24,12 @@ std::string zoneName(const std::string& name)
             c = '_';
         }
     }
-    if (!key.empty() && !isLetter(key.front()))
+    if (!key.empty() && key.front() >= '0' && key.front() <= '9')
+    {
+        key.insert(key.begin(), '_');
+        key.resize(std::min(key.size(), longest));
+    }
+    else if (!key.empty() && !isLetter(key.front()))
     {
         key.front() = '_';
     }
@@ -37,6 +47,12 @@ void ZoneList::add(const std::string& name, int block)
     if (isNew)
     {
         zones.push_back({key, {}});
+        names.push_back(name);
+        others.emplace_back();
+    }
+    else if (names[place->second] != name)
+    {
+        others[place->second] = name;
     }
     std::vector<int>& blocks = zones[place->second].blocks;
     if (blocks.empty() || blocks.back() != block)
@@ -45,9 +61,23 @@ void ZoneList::add(const std::string& name, int block)
     }
 }
 
-std::vector<Zone> ZoneList::take()
+std::vector<Zone> ZoneList::take(const ImportedFile& file)
 {
+    for (std::size_t i = 0; i < zones.size(); ++i)
+    {
+        if (!others[i].empty())
+        {
+            printWarningOnce(
+                fmt::format("The names {} and {} have become one zone, {}: other characters than "
+                            "letters, digits, `_`, `-` and `.` become `_`, and at most 60 count. "
+                            "Rename one of them where their blocks differ.",
+                            shown(names[i]), shown(others[i]), zones[i].name),
+                {file.name, "", 0});
+        }
+    }
     indexOf.clear();
+    names.clear();
+    others.clear();
     return std::exchange(zones, {});
 }
 

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace drystone
@@ -24,27 +25,58 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// The answers of limitAnalysis as its tables have them.
-std::vector<LimitAnalysis> storedAnswers(const fs::path& caseDirectory, const NumberTable& table)
+struct NamedAnswer
 {
-    // Combinations of loads are named in a table of their own, in the same order.
-    std::vector<std::string> names;
-    std::istringstream combinations(
-        contentOfFile(limitAnalysisTable(caseDirectory).replace_filename("combinations.dat")));
+    std::string name; ///< of a combination
+    double alpha = 0; ///< NaN where the row has none
+};
+
+/// Combinations of loads are named in a table of their own, in the order of their answers. None where the two
+/// do not agree: names would belong to other answers.
+std::vector<NamedAnswer> namesOfAnswers(HtmlPage& page, const fs::path& caseDirectory,
+                                        const std::vector<double>& multipliers)
+{
+    std::vector<NamedAnswer> named;
+    const fs::path file = limitAnalysisTable(caseDirectory).replace_filename("combinations.dat");
+    std::istringstream combinations(contentOfFile(file));
     for (TableLine line; nextLine(combinations, line);)
     {
         if (!line.isHeading && !line.words.empty())
         {
-            names.push_back(line.words.front());
+            const std::optional<double> alpha =
+                line.words.size() > 1 ? numberIn(line.words[1]) : std::nullopt;
+            named.push_back({line.words.front(), alpha.value_or(std::numeric_limits<double>::quiet_NaN())});
         }
     }
+    const auto isSame = [](const NamedAnswer& answer, double alpha)
+    { return answer.alpha == alpha || (std::isnan(answer.alpha) && std::isnan(alpha)); };
+    if (!named.empty()
+        && !std::equal(named.begin(), named.end(), multipliers.begin(), multipliers.end(), isSame))
+    {
+        const std::string fault =
+            fmt::format("{} does not have the {} answers of limitAnalysis.dat: one of the two is damaged, "
+                        "and answers are given "
+                        "without the names of their combinations. Run limitAnalysis again.",
+                        fs::relative(file, caseDirectory).string(), multipliers.size());
+        printWarning(fault);
+        page.paragraph(fault);
+        named.clear();
+    }
+    return named;
+}
+
+/// The answers of limitAnalysis as its tables have them.
+std::vector<LimitAnalysis> storedAnswers(HtmlPage& page, const fs::path& caseDirectory,
+                                         const NumberTable& table)
+{
+    const std::vector<NamedAnswer> names = namesOfAnswers(page, caseDirectory, table.columns.front());
     std::vector<LimitAnalysis> answers;
     for (std::size_t row = 0; row < table.columns.front().size(); ++row)
     {
         LimitAnalysis answer;
         answer.alpha = table.columns[0][row];
         answer.status = storedStatus(table.columns[1][row]).value_or(CollapseStatus::notConverged);
-        answer.combination = row < names.size() ? names[row] : "";
+        answer.combination = row < names.size() ? names[row].name : "";
         answers.push_back(std::move(answer));
     }
     return answers;
@@ -226,7 +258,7 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory, InputOfResults i
     page.heading("Collapse");
     LimitAnalysisCase<Dim> structure = readLimitAnalysisCase<Dim>(caseDirectory);
     moveToWorstPosition(structure, caseDirectory);
-    const std::vector<LimitAnalysis> answers = storedAnswers(caseDirectory, table);
+    const std::vector<LimitAnalysis> answers = storedAnswers(page, caseDirectory, table);
     const bool hasMultiplier = std::any_of(answers.begin(), answers.end(), isMultiplier);
     if (hasMultiplier)
     {

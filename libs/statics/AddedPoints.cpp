@@ -59,7 +59,7 @@ bool addOtherHinges(JointPoints<Dim>& joints, const std::vector<LimitAnalysis>& 
 /// for that.
 std::optional<double> refinementTolerance(const LimitAnalysisCase<3>& structure)
 {
-    if (!structure.program.hasStrength() || structure.movement)
+    if (!structure.program.hasStrength())
     {
         return std::nullopt;
     }
@@ -91,12 +91,13 @@ std::vector<std::vector<double>> farthestFromFaces(const LimitAnalysisCase<3>& s
             continue;
         }
         const Eigen::VectorXd& live = liveLoadOf(structure, result);
+        const double size = sizeOf(structure, result);
         const auto consider = [&](std::vector<std::vector<double>> less)
         {
             const double sum = sumOf(less);
-            if (sum > largest * std::abs(result.alpha))
+            if (sum > largest * size)
             {
-                largest = sum / std::abs(result.alpha);
+                largest = sum / size;
                 farthest = std::move(less);
             }
         };

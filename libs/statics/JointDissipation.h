@@ -25,10 +25,12 @@ namespace drystone
 /// which is convex in c: its integral over a cell is never above the sum over the vertices times their areas.
 /// The two differ where d bends within a cell: where a joint is twisted, and at the ends of zones that crush.
 /// It is integrated over triangles that are divided until this changes no more, each time from above.
-/// \param patches with the points of the program, joint after joint, and `strength` of each
-/// \param liveLoad that does work on the mechanism \param mechanism (ux uy uz rx ry rz) of each free block,
-/// of any size
-/// \return one value >= 0 for each cell of each patch; their sum is what the joints dissipate less
+///
+/// Of a settlement c = A'y - g for its unit movement: then the base reaction of the points plus this is a
+/// lower bound of that of the joints. \param patches with the points of the program, joint after joint, and
+/// `strength` of each \param liveLoad that does work on the mechanism; of no meaning for a program with gaps
+/// \param mechanism (ux uy uz rx ry rz) of each free block, of any size \return one value >= 0 for each cell
+/// of each patch; their sum is what the joints dissipate less
 std::vector<std::vector<double>> dissipatedLessByCell(const SpaceConeProgram& program,
                                                       const std::vector<PatchCells>& patches,
                                                       const Eigen::VectorXd& liveLoad,

@@ -209,6 +209,19 @@ const Eigen::VectorXd& liveLoadOf(const LimitAnalysisCase<Dim>& structure, const
     return structure.loads.live;
 }
 
+template<int Dim>
+double sizeOf(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
+{
+    constexpr double leastPart = 0.01;
+    constexpr int rows = 3 * (Dim - 1);
+    double weight = 0;
+    for (int body = 0; structure.movement && body < structure.freeBlocks; ++body)
+    {
+        weight += structure.program.load.template segment<Dim>(rows * body).norm();
+    }
+    return std::max(std::abs(result.alpha), leastPart * weight);
+}
+
 template StaticProgram<2> programOf(const LimitAnalysisCase<2>& structure, std::vector<Strength> strengths);
 template StaticProgram<3> programOf(const LimitAnalysisCase<3>& structure, std::vector<Strength> strengths);
 template LimitAnalysisCase<2> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
@@ -220,6 +233,7 @@ template LimitAnalysisCase<2> readLimitAnalysisCase(const std::filesystem::path&
                                                     SoundStructure<2> blocks, std::optional<int> jointPoints);
 template const Eigen::VectorXd& liveLoadOf(const LimitAnalysisCase<2>& structure,
                                            const LimitAnalysis& result);
+template double sizeOf(const LimitAnalysisCase<2>& structure, const LimitAnalysis& result);
 template LimitAnalysisCase<3> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
                                                     std::optional<int> jointPoints);
 template LimitAnalysisCase<3> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
@@ -229,5 +243,6 @@ template LimitAnalysisCase<3> readLimitAnalysisCase(const std::filesystem::path&
                                                     SoundStructure<3> blocks, std::optional<int> jointPoints);
 template const Eigen::VectorXd& liveLoadOf(const LimitAnalysisCase<3>& structure,
                                            const LimitAnalysis& result);
+template double sizeOf(const LimitAnalysisCase<3>& structure, const LimitAnalysis& result);
 
 } // namespace drystone

@@ -111,4 +111,9 @@ StaticProgram<Dim> programOf(const LimitAnalysisCase<Dim>& structure, std::vecto
 template<int Dim>
 const Eigen::VectorXd& liveLoadOf(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
 
+/// What differences of an answer are compared with: the size of its multiplier; of the base reaction of a
+/// settlement, which may be 0, a hundredth of the dead load at least.
+template<int Dim>
+double sizeOf(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
+
 } // namespace drystone

@@ -3,6 +3,7 @@
 #include "texture/Supports.h"
 
 #include "geometry/BroadPhase.h"
+#include "import/Zones.h"
 #include "texture/Limits.h"
 #include "texture/space/Boxes.h"
 
@@ -222,8 +223,14 @@ SupportMaker<Dim> makeFixedZones(const FixedZones& fixed, const Dictionary& dict
         }
         const int support = static_cast<int>(assembly.supports.size());
         assembly.supports.push_back({name, "blocks"});
-        for (const NamePattern& pattern : patterns)
+        for (NamePattern pattern : patterns)
         {
+            const std::string zoneOfLayer = zoneName(pattern.text); // `layers ("St 1");` of the zone St_1
+            if (std::none_of(names.begin(), names.end(), pattern.matches)
+                && std::find(names.begin(), names.end(), zoneOfLayer) != names.end())
+            {
+                pattern.matches = [zoneOfLayer](const std::string& zone) { return zone == zoneOfLayer; };
+            }
             bool isFound = false;
             for (const Zone& zone : assembly.zones)
             {

@@ -125,6 +125,27 @@ TEST_F(JointLaws, WarnOfANameWithinAPatternThatNoJointHas)
     EXPECT_THAT(warnings("(shaft|bsae)-ground"), testing::HasSubstr("no joint bsae. Did you mean base?"));
 }
 
+// The last of the two counted without a word.
+TEST_F(JointLaws, TwoEntriesThatNameAJointByItsZonesAreWarnedOf)
+{
+    assembly.zones = {{"base", {0}}, {"shaft", {1}}, {"damp", {1}}};
+    const auto warnings = [&](const std::string& more)
+    {
+        testing::internal::CaptureStderr();
+        EXPECT_EQ(laws("friction { type Coulomb; mu 0.5; }\njoints\n{\nbase-shaft { friction { mu 0.3; } }\n"
+                       + more + "\n}")[0]
+                      .mu,
+                  0.2);
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_THAT(warnings("damp-base { friction { mu 0.2; } }"),
+                AllOf(HasSubstr("as base-shaft at line 4 and as damp-base at line 5: damp-base, which comes "
+                                "later, counts"),
+                      HasSubstr("joints/damp-base at line 5")));
+    EXPECT_EQ(warnings("damp-base { friction { mu 0.1; } } 0-1 { friction { mu 0.2; } }"), "")
+        << "the name of the blocks comes before both";
+}
+
 TEST_F(JointLaws, AreNamedByTheirBlocksInEitherOrder)
 {
     const auto of = laws("friction { type Coulomb; mu 0.5; }\njoints\n{\n1-0 { friction { mu 0.1; } }\n"

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -62,6 +63,31 @@ TEST(LoadEnvelope, TakesTheLowerSideOfAJointAndTheFirstOfEqualPlaces)
     EXPECT_EQ(worst->distance, 1);
     EXPECT_EQ(placeText(structure, *worst), "(1 1)");
     EXPECT_FALSE(worstPlace(LimitAnalysisCase<2>{}));
+}
+
+// The multiplier of the side that has one was dropped for that of the other, and the log told of the worst
+// place as if all had one.
+TEST(LoadEnvelope, PlacesWithoutACollapseByCoulombsLawAreWarnedOf)
+{
+    LimitAnalysisCase<2> structure = solvedCase();
+    structure.envelope[0] = {CollapseStatus::upperBound, std::numeric_limits<double>::infinity()};
+    std::swap(structure.envelope[2], structure.envelope[3]);
+    structure.envelope[3] = {CollapseStatus::upperBound, 9};
+    EXPECT_EQ(envelopeOf(structure)[2].alpha, 5);
+    const auto warning = [&]
+    {
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        printEnvelope(structure);
+        testing::internal::GetCapturedStdout();
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_NE(
+        warning().find("At 2 of these places, 0, 1 m along the path, no collapse by Coulomb's law was found, "
+                       "where by the associative law alpha <= 9: the worst place is that of the others"),
+        std::string::npos);
+    structure = solvedCase();
+    EXPECT_EQ(warning(), "");
 }
 
 TEST(LoadEnvelope, NamesThePlacesThatAreLeftOut)

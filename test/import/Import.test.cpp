@@ -105,6 +105,42 @@ TEST_F(Imports, LayersAreFixedByTheSupportsNameOrByPattern)
                 HasSubstr("Did you mean stone?"));
 }
 
+// Layers 1 and 2, as CAD programs number them, were one zone `_`, and others became one without a word.
+TEST_F(Imports, LayersWhoseNamesAreNoKeysAreZonesOfTheirOwnOrWarnedOf)
+{
+    const auto zonesOf =
+        [&](const std::string& one, const std::string& other, const std::string& support = "")
+    {
+        const auto square = [](const std::string& layer, int x)
+        {
+            return fmt::format(
+                "0\nLWPOLYLINE\n8\n{0}\n90\n4\n70\n1\n10\n{1}\n20\n0\n10\n{2}\n20\n0\n10\n{2}\n20\n"
+                "1\n10\n{1}\n20\n1\n",
+                layer, x, x + 1);
+        };
+        write("a.dxf",
+              "0\nSECTION\n2\nENTITIES\n" + square(one, 0) + square(other, 1) + "0\nENDSEC\n0\nEOF\n");
+        const Assembly<2> assembly = make<2>("file \"a.dxf\";", support);
+        std::string names;
+        for (const Zone& zone : assembly.zones)
+        {
+            names += fmt::format("{}({}) ", zone.name, fmt::join(zone.blocks, " "));
+        }
+        return names + (assembly.blocks[1].support == 0 ? "1 is fixed" : "");
+    };
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(zonesOf("1", "2-b"), "_1(0) _2-b(1) ");
+    EXPECT_EQ(zonesOf("a", "a"), "a(0 1) ");
+    EXPECT_EQ(zonesOf("stone", "St 1", "base { type import; layers (\"St 1\"); }"),
+              "stone(0) St_1(1) 1 is fixed");
+    EXPECT_EQ(zonesOf("1", "2", "base { type import; layers (2); }"), "_1(0) _2(1) 1 is fixed");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(zonesOf("St 1", "St_1"), "St_1(0 1) ");
+    EXPECT_THAT(testing::internal::GetCapturedStderr(),
+                AllOf(HasSubstr("St 1 and St_1 have become one zone, St_1"), HasSubstr("a.dxf")));
+}
+
 TEST_F(Imports, TheFormatFollowsFromTheName)
 {
     write("a.OBJ", wedge + faces);

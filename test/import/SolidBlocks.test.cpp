@@ -303,8 +303,10 @@ TEST(SolidBlocks, FaultsNameTheBlock)
     Solids solids = solidsOf({makeBox({0, 0, 0}, {1, 1, 1}), open});
     solids.solids[1].name = "keystone";
     solids.solids[1].line = 17;
-    EXPECT_THAT(report(solids), testing::AllOf(HasSubstr("Block 1, keystone is no solid: it is not closed"),
-                                               HasSubstr("file: sample at line 17")));
+    EXPECT_THAT(report(solids),
+                testing::AllOf(HasSubstr("Block 1, keystone is no solid: it is not closed"),
+                               HasSubstr("The corners of face 0 have their middle at (0.5 0.5 0) m"),
+                               HasSubstr("file: sample at line 17")));
     Polyhedron uneven = makeBox({0, 0, 0}, {1, 1, 1});
     uneven.vertices[6].z() += 0.02;
     EXPECT_THAT(report(solidsOf({uneven})), HasSubstr("state a tolerance of 0.005 m"));

@@ -158,6 +158,22 @@ class Report(CaseTest):
             file.write(good)
         self.checkWarnsOfNothing(case)
 
+    def testNamesOfCombinationsAreThoseOfTheirAnswers(self):
+        case = self.caseOf("../combinedLoads/combinations")
+        self.runApplication("limitAnalysis", case)
+        self.run_(case)
+        self.assertIn("Combination pulled: alpha = 4.905", self.read(case, "report.html"))
+        name = "postProcessing/limitAnalysis/0/limitAnalysis.dat"
+        heading, first, _, last = self.read(case, name).splitlines()
+        with open(os.path.join(case, name), "w", encoding="utf-8") as file:
+            file.write(f"{heading}\n{first}\n{last}\n")
+        done = self.run_(case)
+        fault = "combinations.dat does not have the 2 answers of limitAnalysis.dat"
+        self.assertIn(fault, done.stdout + done.stderr)
+        page = self.read(case, "report.html")
+        self.assertIn(fault, page)
+        self.assertNotIn("Combination loaded", page)
+
     def edit(self, case, name, entry, value):
         self.runApplication("caseDictionary", case, name, "-entry", entry, "-set", value)
 
@@ -379,6 +395,19 @@ statistics { capacity { type distribution; value alpha; } }
             for said in (done.stdout + done.stderr, page):
                 self.assertIn("mechanism.svg is cut off, or empty, and left out", said)
             self.assertEqual(page.count("<svg"), page.count("</svg>"))
+
+    def testAPictureWithAScriptIsLeftOut(self):
+        case = self.wall()
+        self.runApplication("limitAnalysis", case)
+        picture = "postProcessing/limitAnalysis/0/mechanism.svg"
+        whole = self.read(case, picture)
+        for added in ("<script>alert(1)</script></svg>", "<g\nONCLICK = 'alert(1)'/></svg>",
+                      "<a href=\"javascript:alert(1)\"/></svg>"):
+            with open(os.path.join(case, picture), "w", encoding="utf-8") as file:
+                file.write(whole.replace("</svg>", added))
+            done = self.run_(case)
+            self.assertIn("mechanism.svg has a script", done.stdout + done.stderr)
+            self.assertNotIn("alert(1)", self.read(case, "report.html"))
 
     def testSaysWhichLawTheForcesObey(self):
         for name, said in (("../jointStrength/tension", "balance it with tension up to a strength"),

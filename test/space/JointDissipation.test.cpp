@@ -3,6 +3,7 @@
 // mechanism that the points have.
 #include "statics/JointDissipation.h"
 #include "SpaceStructures.h"
+#include "statics/Settlement.h"
 
 #include <gtest/gtest.h>
 
@@ -84,6 +85,45 @@ TEST(JointDissipation, OfABoxThatIsTwistedGivesTheTorsionOfItsWholeJoint)
         EXPECT_NEAR(bounds.ofFaces, expected, 2e-5 * expected) << perSide;
         EXPECT_GE(bounds.ofFaces, expected * (1 - 1e-9)) << perSide;
     }
+}
+
+// A beam that is held at one end alone turns about it as the support of the other is drawn aside: its joint
+// there is twisted, which corners resist too much.
+TEST(JointDissipation, OfASettlementBoundsTheReactionOfFinerGridsFromBelow)
+{
+    Assembly<3> assembly;
+    assembly.supports = {{"stays", "blocks"}, {"moves", "blocks"}};
+    assembly.blocks = {{makeBox({0, 0, 0}, {2, 0.5, 0.3})},
+                       {makeBox({0, 0, -1}, {0.4, 0.5, 0}), 0},
+                       {makeBox({1.6, 0, -1}, {2, 0.5, 0}), 1}};
+    const SupportMovement<3> movement{1, {0, 1, 0}};
+    LoadVectors loads = pushed(assembly, {1, 0, 0});
+    const auto boundsOf = [&](int perSide)
+    {
+        std::vector<PatchCells> patches = patchCells(findContactPoints(assembly));
+        for (PatchCells& patch : patches)
+        {
+            cutIntoGrid(patch, perSide);
+        }
+        SpaceConeProgram program = test::programOf(assembly, pointsOf(patches), 0.3, loads);
+        for (const double area : areasOf(patches))
+        {
+            program.strength.push_back({1e3 * area, 0, 1e6 * area});
+        }
+        program.liveLoad.resize(0);
+        program.gap = settlementGaps(assembly, pointsOf(patches), movement);
+        const LimitAnalysis result = solveSettlement(program);
+        EXPECT_EQ(result.status, CollapseStatus::optimal);
+        return Bounds{result.alpha, result.alpha
+                                        + sumOf(dissipatedLessByCell(program, patches, Eigen::VectorXd(),
+                                                                     result.mechanism))};
+    };
+    const Bounds corners = boundsOf(2);
+    const Bounds fine = boundsOf(9);
+    EXPECT_GT(corners.ofFaces, corners.ofPoints + 0.01 * std::abs(corners.ofPoints));
+    EXPECT_GT(fine.ofPoints, corners.ofPoints);
+    EXPECT_LT(fine.ofFaces - fine.ofPoints, 0.2 * (corners.ofFaces - corners.ofPoints));
+    EXPECT_LE(corners.ofFaces, boundsOf(17).ofFaces * (1 + 1e-9) + 1e-9);
 }
 
 TEST(JointDissipation, OfFrictionAloneIsThatOfThePoints)

@@ -72,12 +72,25 @@ double excessOver(const StressLimits& limits, double area, const std::array<Vect
 struct PointRates
 {
     std::vector<StressLimits> limits;
-    std::vector<Vector<3>> closing; ///< A'y, for a unit of work of the live load
+    std::vector<Vector<3>> closing; ///< see closingRates
     std::vector<double> rate;       ///< d(closing) [W/m2]
     double dissipated = 0;          ///< at the points, by which small differences are judged
 };
 
-/// \param closing A'y of all points, likewise
+/// Closing rates of all points: A'y for a unit of work of the live load, of a settlement A'y - g for the unit
+/// movement. Empty where the mechanism does no work.
+Eigen::VectorXd closingRates(const SpaceConeProgram& program, const Eigen::VectorXd& liveLoad,
+                             const Eigen::VectorXd& mechanism)
+{
+    if (program.gap.size() > 0)
+    {
+        return applyTransposed(program, mechanism) - program.gap;
+    }
+    const double work = std::abs(liveLoad.dot(mechanism));
+    return work > 0 ? Eigen::VectorXd(applyTransposed(program, mechanism) / work) : Eigen::VectorXd();
+}
+
+/// \param closing of all points, likewise
 PointRates pointRates(const SpaceConeProgram& program, const std::vector<PatchCells>& patches,
                       const Eigen::VectorXd& closing)
 {
@@ -255,12 +268,12 @@ std::vector<std::vector<double>> dissipatedLessByCell(const SpaceConeProgram& pr
 {
     constexpr double negligible = 1e-5; // of what a point dissipates on average
     std::vector<std::vector<double>> less = nothingOfCells(patches);
-    const double work = std::abs(liveLoad.dot(mechanism));
-    if (!(work > 0) || !program.hasStrength())
+    const Eigen::VectorXd closing = closingRates(program, liveLoad, mechanism);
+    if (closing.size() == 0 || !program.hasStrength())
     {
         return less;
     }
-    const PointRates points = pointRates(program, patches, applyTransposed(program, mechanism) / work);
+    const PointRates points = pointRates(program, patches, closing);
     const double enough =
         negligible * points.dissipated / static_cast<double>(std::max<std::size_t>(1, points.rate.size()));
     std::size_t first = 0;
@@ -283,12 +296,11 @@ std::vector<std::vector<double>> carriedLessByCell(const SpaceConeProgram& progr
                                                    const Eigen::VectorXd& contactForce)
 {
     std::vector<std::vector<double>> less = nothingOfCells(patches);
-    const double work = std::abs(liveLoad.dot(mechanism));
-    if (!(work > 0) || !program.hasCrushing())
+    const Eigen::VectorXd closingOfAll = closingRates(program, liveLoad, mechanism);
+    if (closingOfAll.size() == 0 || !program.hasCrushing())
     {
         return less;
     }
-    const Eigen::VectorXd closingOfAll = applyTransposed(program, mechanism) / work;
     std::size_t point = 0;
     for (std::size_t joint = 0; joint < patches.size(); ++joint)
     {
