@@ -26,6 +26,10 @@ public:
     /// this is no turning point of a block that rocks. None before the first step.
     std::vector<std::string> lines(const DynamicState<Dim>& last) const;
 
+    /// With `smallDisplacements yes;`: that a block has moved or turned so far that contact points and lever
+    /// arms as built are wrong. Empty where none has.
+    std::string doubtAboutDisplacements() const;
+
     /// Speed below which a block counts as at rest [m/s]: that of a fall through 1e-8 of the mean block size.
     double restSpeed() const;
 
@@ -38,6 +42,8 @@ private:
     double largest = 0; ///< [m]
     int farthestBlock = -1;
     double timeOfLargest = 0;
+    double largestTurn = 0; ///< [rad]
+    int turnedBlock = -1;
     double fastest = 0;    ///< speed at any time of the run [m/s]
     double restsSince = 0; ///< end of the first step from which no block was faster than restSpeed [s]
     bool rests = false;
