@@ -2,6 +2,7 @@
 /// The step that a proof of rest stands for.
 #include "dynamics/ProvedRest.h"
 
+#include "dynamics/ClosedPoints.h"
 #include "dynamics/EffectCalls.h"
 #include "dynamics/RestingStep.h"
 
@@ -21,12 +22,30 @@ bool isSame(const std::vector<Placement<Dim>>& some, const std::vector<Placement
                          });
 }
 
+/// Whether a proof is that of where the blocks are, and at points that are closed in a step of this length:
+/// as if it had been made in it, so that a run which is continued is the same as one that is not.
+template<int Dim>
+bool isStillRight(RestProof<Dim>& proof, const Step<Dim>& step)
+{
+    if (!isSame<Dim>(proof.placements, step.motion.state.placements))
+    {
+        return false;
+    }
+    if (proof.timeStep == step.scheme.timeStep)
+    {
+        return true;
+    }
+    proof.timeStep = step.scheme.timeStep;
+    setInertia(proof.program, step.mass, step.scheme);
+    return closedPoints<Dim>(proof.program, proof.deadLoad, proof.tolerance) == proof.isClosed;
+}
+
 /// The proof for where the blocks are, made if there is none.
 template<int Dim>
 RestProof<Dim>& keptProof(Step<Dim>& step)
 {
     Motion<Dim>& motion = step.motion;
-    if (motion.restProof && isSame<Dim>(motion.restProof->placements, motion.state.placements))
+    if (motion.restProof && isStillRight(*motion.restProof, step))
     {
         return *motion.restProof;
     }
@@ -50,18 +69,6 @@ RestProof<Dim>& keptProof(Step<Dim>& step)
     return *motion.restProof;
 }
 
-/// Mbar is M over theta dt^2.
-template<int Dim>
-void setTimeStep(RestProof<Dim>& proof, double timeStep)
-{
-    const double ratio = proof.timeStep / timeStep;
-    for (auto& inertia : proof.program.inertia)
-    {
-        inertia *= ratio * ratio;
-    }
-    proof.timeStep = timeStep;
-}
-
 } // namespace
 
 template<int Dim>
@@ -80,10 +87,6 @@ bool staysAtRest(Step<Dim>& step)
     if (forces.size() == 0)
     {
         return false;
-    }
-    if (proof.timeStep != step.scheme.timeStep)
-    {
-        setTimeStep(proof, step.scheme.timeStep);
     }
     proof.program.load = step.load;
     const Rest rest = restWith(proof.program, forces);
