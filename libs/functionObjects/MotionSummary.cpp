@@ -120,11 +120,9 @@ std::vector<std::string> MotionSummary<Dim>::lines(const DynamicState<Dim>& last
 template<int Dim>
 std::string MotionSummary<Dim>::doubtAboutDisplacements() const
 {
-    // Lever arms, and with them the multiplier at which a block turns over, are wrong by about as much.
-    constexpr double small = 0.05;
     const double share = largest / scene.blockSize;
     const bool turnsMore = 0.5 * largestTurn > share;
-    if (!scene.schemes.smallDisplacements || std::max(share, 0.5 * largestTurn) <= small)
+    if (!scene.schemes.smallDisplacements || std::max(share, 0.5 * largestTurn) <= mostSmallDisplacement)
     {
         return {};
     }

@@ -10,6 +10,10 @@
 namespace drystone
 {
 
+/// Displacements up to this are small [mean block size]: lever arms as built, and with them the loads at
+/// which blocks turn over, are wrong by about as much.
+constexpr double mostSmallDisplacement = 0.05;
+
 /// Largest displacement of a mass centre during a run and the state at its end. Holds a reference to the
 /// scene. Displacements are from the structure as built, relative to the ground.
 template<int Dim>
