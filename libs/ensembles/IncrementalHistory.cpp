@@ -41,9 +41,9 @@ std::string headingOf(const std::filesystem::path& caseDirectory, const Incremen
 
 std::string rowOf(std::size_t motion, const IncrementalRun& run)
 {
-    return fmt::format("{} {} {} {} {} {} {} {} {:.3g} {:d}\n", motion, run.intensity, run.factor,
-                       static_cast<int>(run.verdict), run.largest, run.endTime, run.steps, run.worstResidual,
-                       run.cpuTime, run.isGrowing);
+    return historyRow(fmt::format("{} {} {} {} {} {} {} {} {:.3g} {:d}", motion, run.intensity, run.factor,
+                                  static_cast<int>(run.verdict), run.largest, run.endTime, run.steps,
+                                  run.worstResidual, run.cpuTime, run.isGrowing));
 }
 
 /// Refuses a row whose numbers contradict each other, or the study, or that is there twice: whoever changed

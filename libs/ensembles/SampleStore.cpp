@@ -3,7 +3,7 @@
 #include "ensembles/SampleStore.h"
 
 #include "core/WholeFile.h"
-#include "dictionary/Fingerprint.h"
+#include "ensembles/FingerprintedRow.h"
 #include "ensembles/StudyInput.h"
 #include "runControl/CaseFiles.h"
 
@@ -86,27 +86,11 @@ struct OpenFile
 };
 
 constexpr std::string_view rowEnd = " ;";
-constexpr std::string_view beforeFingerprint = " #";
 
 /// Whether a line of a journal was written to its end.
 bool isWholeRow(const std::string& line)
 {
     return line.ends_with(rowEnd);
-}
-
-/// What a row has before its end, without its fingerprint; empty where this is that of something else. Rows
-/// of older versions have none.
-std::string checkedText(const std::string& line)
-{
-    std::string text = line.substr(0, line.size() - rowEnd.size());
-    const std::size_t at = text.find(beforeFingerprint);
-    if (at == text.npos)
-    {
-        return text;
-    }
-    const std::string written = text.substr(at + beforeFingerprint.size());
-    text.resize(at);
-    return written == fmt::format("{:016x}", fingerprint(text)) ? text : "";
 }
 
 /// Numbers of a text that has nothing else, or none.
@@ -134,7 +118,8 @@ bool isWhole(double number, double least, double most)
 /// A row of a journal with the number of its sample; nothing where it is damaged.
 std::optional<std::pair<long, SampleRow>> rowOf(const std::string& line, std::size_t results)
 {
-    const std::vector<double> numbers = numbersOf(checkedText(line));
+    const auto text = withoutFingerprint(line.substr(0, line.size() - rowEnd.size()));
+    const std::vector<double> numbers = numbersOf(text.value_or(""));
     if (numbers.size() != 4 + results || !isWhole(numbers[0], 0, 0x1p53)
         || !isWhole(numbers[1], 0, sampleStatuses - 1)
         || !isWhole(numbers[2], 0, std::numeric_limits<int>::max()))
@@ -383,7 +368,7 @@ void Journal::add(long sample, const SampleRow& row)
     {
         text += fmt::format(" {}", result);
     }
-    pending += fmt::format("{}{}{:016x}{}\n", text, beforeFingerprint, fingerprint(text), rowEnd);
+    pending += fmt::format("{}{}\n", withFingerprint(text), rowEnd);
     if (monotonicTime() - lastFlush > 0.1)
     {
         flush();
