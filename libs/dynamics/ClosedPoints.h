@@ -12,8 +12,9 @@ constexpr double partOfTolerance = 0.1;
 
 /// Whether each point is closed, or so nearly that the certificate of rest allows a force there: the work of
 /// a force on its gap is compared with that of the largest load on how far it would move its body in the
-/// step. \param tolerance of the certificate
+/// step. \param load of the bodies \param tolerance of the certificate
 template<int Dim>
-std::vector<char> closedPoints(const StepProgram<Dim>& program, double tolerance);
+std::vector<char> closedPoints(const StepProgram<Dim>& program, const Eigen::VectorXd& load,
+                               double tolerance);
 
 } // namespace drystone

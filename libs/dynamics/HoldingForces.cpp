@@ -48,7 +48,8 @@ InnerBalance<Dim> innerBalance(const Step<Dim>& step, const BlockGroups<Dim>& gr
     }
     const bool isAnyHeld = std::find(groups.group.begin(), groups.group.end(), -1) != groups.group.end();
     const std::vector<char> isClosed =
-        isAnyHeld ? closedPoints<Dim>(whole, step.settings.solver.tolerance) : std::vector<char>();
+        isAnyHeld ? closedPoints<Dim>(whole, whole.load, step.settings.solver.tolerance)
+                  : std::vector<char>();
     const double kept = keptGap(step);
     inner.points.reserve(groups.inner.size());
     inner.program.contacts.reserve(groups.inner.size());

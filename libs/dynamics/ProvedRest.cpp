@@ -2,6 +2,7 @@
 /// The step that a proof of rest stands for.
 #include "dynamics/ProvedRest.h"
 
+#include "dynamics/ClosedPoints.h"
 #include "dynamics/EffectCalls.h"
 #include "dynamics/RestingStep.h"
 
@@ -33,13 +34,27 @@ bool isSame(const std::vector<Vector<Dim>>& some, const Eigen::VectorXd& all)
     return isEqual;
 }
 
-/// Whether the proof is one for where the blocks are. Of points that give way it is one for the forces of the
-/// last step, too, from which their shear goes on.
+/// Whether a proof is that of where the blocks are, and at points that are closed in a step of this length:
+/// as if it had been made in it, so that a run which is continued is the same as one that is not. Of points
+/// that give way it is one for the forces of the last step, from which their shear goes on.
 template<int Dim>
-bool isOf(const RestProof<Dim>& proof, const Motion<Dim>& motion)
+bool isStillRight(RestProof<Dim>& proof, const Step<Dim>& step)
 {
-    return isSame<Dim>(proof.placements, motion.state.placements)
-           && (!proof.program.hasCompliance() || isSame<Dim>(motion.contactForces, proof.forcesOfDeadLoad));
+    const Motion<Dim>& motion = step.motion;
+    const bool isElastic = proof.program.hasCompliance();
+    if (!isSame<Dim>(proof.placements, motion.state.placements)
+        || (isElastic && !isSame<Dim>(motion.contactForces, proof.forcesOfDeadLoad)))
+    {
+        return false;
+    }
+    if (proof.timeStep == step.scheme.timeStep)
+    {
+        return true;
+    }
+    proof.timeStep = step.scheme.timeStep;
+    setInertia(proof.program, step.mass, step.scheme);
+    return isElastic
+           || closedPoints<Dim>(proof.program, proof.deadLoad, proof.tolerance) == proof.isClosed;
 }
 
 /// All that effects may load the structure with.
@@ -62,7 +77,7 @@ template<int Dim>
 RestProof<Dim>& keptProof(Step<Dim>& step)
 {
     Motion<Dim>& motion = step.motion;
-    if (motion.restProof && isOf(*motion.restProof, motion))
+    if (motion.restProof && isStillRight(*motion.restProof, step))
     {
         return *motion.restProof;
     }
@@ -89,18 +104,6 @@ bool areEffectsIdle(const Step<Dim>& step)
            && std::all_of(step.supports.begin(), step.supports.end(), isStill<Dim>);
 }
 
-/// Mbar is M over theta dt^2.
-template<int Dim>
-void setTimeStep(RestProof<Dim>& proof, double timeStep)
-{
-    const double ratio = proof.timeStep / timeStep;
-    for (auto& inertia : proof.program.inertia)
-    {
-        inertia *= ratio * ratio;
-    }
-    proof.timeStep = timeStep;
-}
-
 } // namespace
 
 template<int Dim>
@@ -119,10 +122,6 @@ bool staysAtRest(Step<Dim>& step)
     if (forces.size() == 0)
     {
         return false;
-    }
-    if (proof.timeStep != step.scheme.timeStep)
-    {
-        setTimeStep(proof, step.scheme.timeStep);
     }
     proof.program.load = step.load;
     const Rest rest = restWith(proof.program, forces);

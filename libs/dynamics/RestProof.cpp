@@ -67,7 +67,7 @@ template<int Dim>
 ClosedBalance<Dim> closedBalance(const RestProof<Dim>& proof)
 {
     const StepProgram<Dim>& program = proof.program;
-    const std::vector<char> isClosed = closedPoints<Dim>(program, proof.tolerance);
+    const std::vector<char>& isClosed = proof.isClosed;
     ClosedBalance<Dim> balance;
     balance.program.bodies = program.bodies;
     balance.program.load = proof.deadLoad;
@@ -184,13 +184,13 @@ const typename RestProof<Dim>::Carried& carriedOf(RestProof<Dim>& proof, const s
 } // namespace
 
 template<int Dim>
-std::vector<char> closedPoints(const StepProgram<Dim>& program, double tolerance)
+std::vector<char> closedPoints(const StepProgram<Dim>& program, const Eigen::VectorXd& load, double tolerance)
 {
     double fall = 0;
     for (int body = 0; body < program.bodies; ++body)
     {
         const Eigen::Index row = freedomCount<Dim> * body;
-        fall = std::max(fall, program.load.template segment<Dim>(row).norm()
+        fall = std::max(fall, load.template segment<Dim>(row).norm()
                                   / program.inertia[static_cast<std::size_t>(body)](0, 0));
     }
     std::vector<char> isClosed(program.contacts.size(), true);
@@ -212,6 +212,7 @@ RestProof<Dim> proofOfRest(StepProgram<Dim> program, double timeStep, Eigen::Vec
     proof.timeStep = timeStep;
     proof.tolerance = tolerance;
     proof.deadLoad = ofTouched<Dim>(proof.program, std::move(deadLoad));
+    proof.isClosed = closedPoints<Dim>(proof.program, proof.deadLoad, tolerance);
     std::vector<Eigen::VectorXd> axes;
     for (const Eigen::VectorXd& load : loads)
     {
@@ -315,13 +316,15 @@ Eigen::VectorXd forcesAtRest(RestProof<Dim>& proof, const Eigen::VectorXd& load,
 }
 
 template struct RestProof<2>;
-template std::vector<char> closedPoints(const StepProgram<2>& program, double tolerance);
+template std::vector<char> closedPoints(const StepProgram<2>& program, const Eigen::VectorXd& load,
+                                        double tolerance);
 template RestProof<2> proofOfRest(StepProgram<2> program, double timeStep, Eigen::VectorXd deadLoad,
                                   const std::vector<Eigen::VectorXd>& loads, double tolerance);
 template RestProof<2> proofOfElasticRest(StepProgram<2> program, double timeStep, Eigen::VectorXd forces);
 template Eigen::VectorXd forcesAtRest(RestProof<2>& proof, const Eigen::VectorXd& load, double margin);
 template struct RestProof<3>;
-template std::vector<char> closedPoints(const StepProgram<3>& program, double tolerance);
+template std::vector<char> closedPoints(const StepProgram<3>& program, const Eigen::VectorXd& load,
+                                        double tolerance);
 template RestProof<3> proofOfRest(StepProgram<3> program, double timeStep, Eigen::VectorXd deadLoad,
                                   const std::vector<Eigen::VectorXd>& loads, double tolerance);
 template RestProof<3> proofOfElasticRest(StepProgram<3> program, double timeStep, Eigen::VectorXd forces);

@@ -28,6 +28,7 @@ namespace drystone
 /// (Freudenthal's triangulation of an orthant, 1942). So c = c_0 + sum lambda_i (c_i - c_0) balances the
 /// load, and is inside the cones by the share 1 - sum lambda_i of how far c_0 is. What is known of a load
 /// does not depend on the loads before it, so that a run which is continued is the same as one that is not.
+/// Which points are closed depends on the length of the step: a proof is of steps that agree in these.
 template<int Dim>
 struct RestProof
 {
@@ -43,6 +44,7 @@ struct RestProof
     StepProgram<Dim> program;                    ///< of the last step that was looked at
     double timeStep = 0;                         ///< its own [s]
     Eigen::VectorXd deadLoad;                    ///< f0
+    std::vector<char> isClosed;                  ///< of the points: those that forces act at
     std::vector<Eigen::VectorXd> directions;     ///< L_k, independent of each other
     double tolerance = 0;                        ///< of the solver
     Eigen::VectorXd forcesOfDeadLoad;            ///< c_0; empty: none are known

@@ -79,6 +79,20 @@ void setColumns(StepProgram<Dim>& program, const std::vector<ContactColumns<Dim>
 }
 
 template<int Dim>
+MassMatrix<Dim> setInertia(StepProgram<Dim>& program, const std::type_identity_t<MassMatrix<Dim>>& mass,
+                           const ThetaScheme& scheme)
+{
+    MassMatrix<Dim> inertia = over(mass, scheme.theta * scheme.timeStep * scheme.timeStep);
+    program.inertia.clear();
+    program.inertia.reserve(static_cast<std::size_t>(program.bodies));
+    for (int body = 0; body < program.bodies; ++body)
+    {
+        program.inertia.push_back(blockOf(inertia, body));
+    }
+    return inertia;
+}
+
+template<int Dim>
 StepProgram<Dim> thetaStepProgram(const std::type_identity_t<MassMatrix<Dim>>& mass,
                                   const Eigen::VectorXd& velocity, const Eigen::VectorXd& load,
                                   const std::vector<ContactPoint<Dim>>& points,
@@ -94,12 +108,7 @@ StepProgram<Dim> thetaStepProgram(const std::type_identity_t<MassMatrix<Dim>>& m
     {
         program.gap[Dim * static_cast<Eigen::Index>(point)] = points[point].gap;
     }
-    const MassMatrix<Dim> inertia = over(mass, scheme.theta * scheme.timeStep * scheme.timeStep);
-    program.inertia.reserve(static_cast<std::size_t>(program.bodies));
-    for (int body = 0; body < program.bodies; ++body)
-    {
-        program.inertia.push_back(blockOf(inertia, body));
-    }
+    const MassMatrix<Dim> inertia = setInertia(program, mass, scheme);
     program.load = load + scheme.timeStep * times(inertia, velocity);
     return program;
 }
@@ -139,6 +148,8 @@ template double largestForce(const StepProgram<3>& program, double blockSize);
 template Eigen::VectorXd displacementUnder(const StepProgram<2>& program, Eigen::VectorXd rows);
 template bool keepMomenta(ThetaStep& step, StepProgram<2>& program, const Relinearisation<2>& relinearise);
 template void setColumns(StepProgram<2>& program, const std::vector<ContactColumns<2>>& columns);
+template MassMatrix<2> setInertia(StepProgram<2>& program, const MassMatrix<2>& mass,
+                                  const ThetaScheme& scheme);
 template StepProgram<2> thetaStepProgram<2>(const MassMatrix<2>& mass, const Eigen::VectorXd& velocity,
                                             const Eigen::VectorXd& load,
                                             const std::vector<ContactPoint<2>>& points,
@@ -152,6 +163,8 @@ template StepEnergy stepEnergy(const ThetaStep& step, const MassMatrix<2>& mass,
 template Eigen::VectorXd displacementUnder(const StepProgram<3>& program, Eigen::VectorXd rows);
 template bool keepMomenta(ThetaStep& step, StepProgram<3>& program, const Relinearisation<3>& relinearise);
 template void setColumns(StepProgram<3>& program, const std::vector<ContactColumns<3>>& columns);
+template MassMatrix<3> setInertia(StepProgram<3>& program, const MassMatrix<3>& mass,
+                                  const ThetaScheme& scheme);
 template StepProgram<3> thetaStepProgram<3>(const MassMatrix<3>& mass, const Eigen::VectorXd& velocity,
                                             const Eigen::VectorXd& load,
                                             const std::vector<ContactPoint<3>>& points,

@@ -42,6 +42,11 @@ StepProgram<Dim> thetaStepProgram(const std::type_identity_t<MassMatrix<Dim>>& m
                                   const std::vector<ContactColumns<Dim>>& columns,
                                   const std::vector<double>& friction, const ThetaScheme& scheme);
 
+/// Puts Mbar = M/(theta dt^2) into a program. \return Mbar
+template<int Dim>
+MassMatrix<Dim> setInertia(StepProgram<Dim>& program, const std::type_identity_t<MassMatrix<Dim>>& mass,
+                           const ThetaScheme& scheme);
+
 /// What a program is of. An impact is a step without loads and with impulses for forces: it leaves no gaps
 /// that later steps would have to repair.
 enum class StepKind

@@ -239,7 +239,9 @@ void writeStatistic(const Ensemble& ensemble, const std::string& name, const Sta
 SampleTable collectSamples(const Ensemble& ensemble, std::map<long, SampleRow>& rows)
 {
     const EnsembleSettings& settings = ensemble.settings;
-    rows = readJournals(ensembleWork(ensemble.caseDirectory), settings.results.size());
+    std::vector<Doubt> doubts;
+    rows = readJournals(ensembleWork(ensemble.caseDirectory), settings.results.size(), &doubts);
+    question(doubts);
     rows.erase(rows.lower_bound(ensemble.samples()), rows.end()); // of an earlier, longer table
     SampleTable table;
     table.variables = settings.variables.size();

@@ -9,6 +9,7 @@
 #include "functionObjects/ColumnFile.h"
 #include "functionObjects/MotionLog.h"
 #include "functionObjects/MotionResults.h"
+#include "functionObjects/MotionSummary.h"
 #include "io/Plot.h"
 #include "runControl/Case.h"
 
@@ -162,6 +163,10 @@ IncrementalDynamics<Dim> readIncrementalDynamics(const std::filesystem::path& ca
     study.gravity = study.scene.gravity.norm();
     study.intensity = settings.intensity;
     study.criterion = settings.criterion(study.scene.assembly);
+    if (const std::string doubt = doubtAboutCriterion(study); !doubt.empty())
+    {
+        question({{doubt, dictionary.locationOf("criterion")}});
+    }
     study.motions =
         studyMotions<Dim>(caseDirectory, groundMotionOf(study.scene.effects), settings, dictionary);
     setGroundMotion(study.scene.effects, study.motions.front().ground); // before the effects have states
@@ -178,6 +183,25 @@ IncrementalDynamics<Dim> readIncrementalDynamics(const std::filesystem::path& ca
                            dictionary.subDict("intensity").locationOf("unit"));
     }
     return study;
+}
+
+template<int Dim>
+std::string doubtAboutCriterion(const IncrementalDynamics<Dim>& study)
+{
+    const Criterion<Dim>& criterion = study.criterion;
+    // Half a block moves by half its size where the block turns by 1 rad.
+    const double share =
+        criterion.figure.unit == "rad" ? 0.5 * criterion.limit : criterion.limit / study.scene.blockSize;
+    if (!study.scene.schemes.smallDisplacements || share <= mostSmallDisplacement)
+    {
+        return "";
+    }
+    return fmt::format(
+        "With `smallDisplacements yes;` of system/schemes contact points and lever arms stay as "
+        "built, and blocks meet this criterion, {}, only when they have moved by {:.3g} of the "
+        "mean block size. Usual there are up to {:g}, or `smallDisplacements no;`, which follows "
+        "the blocks.",
+        criterion.summary, share, mostSmallDisplacement);
 }
 
 template<int Dim>
@@ -351,6 +375,7 @@ void writeIncrementalDynamics(const std::filesystem::path& folder, const Increme
 
 template IncrementalDynamics<2> readIncrementalDynamics(const std::filesystem::path& caseDirectory,
                                                         Time& time);
+template std::string doubtAboutCriterion(const IncrementalDynamics<2>& study);
 template void printStudy(const IncrementalDynamics<2>& study);
 template void printRun(const IncrementalDynamics<2>& study, std::size_t motion, const IncrementalRun& run,
                        const std::string& timeLeft);
@@ -363,6 +388,7 @@ template void writeIncrementalDynamics(const std::filesystem::path& folder,
 
 template IncrementalDynamics<3> readIncrementalDynamics(const std::filesystem::path& caseDirectory,
                                                         Time& time);
+template std::string doubtAboutCriterion(const IncrementalDynamics<3>& study);
 template void printStudy(const IncrementalDynamics<3>& study);
 template void printRun(const IncrementalDynamics<3>& study, std::size_t motion, const IncrementalRun& run,
                        const std::string& timeLeft);

@@ -18,6 +18,10 @@ namespace drystone
 template<int Dim>
 IncrementalDynamics<Dim> readIncrementalDynamics(const std::filesystem::path& caseDirectory, Time& time);
 
+/// With `smallDisplacements yes;`: that blocks meet the criterion only beyond what these hold for; or empty.
+template<int Dim>
+std::string doubtAboutCriterion(const IncrementalDynamics<Dim>& study);
+
 /// Before the first run: effects, motions of the ground, criterion, jobs.
 template<int Dim>
 void printStudy(const IncrementalDynamics<Dim>& study);

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace drystone
@@ -39,9 +41,36 @@ std::string headingOf(const std::filesystem::path& caseDirectory, const Incremen
 
 std::string rowOf(std::size_t motion, const IncrementalRun& run)
 {
-    return fmt::format("{} {} {} {} {} {} {} {} {:.3g} {:d}\n", motion, run.intensity, run.factor,
-                       static_cast<int>(run.verdict), run.largest, run.endTime, run.steps, run.worstResidual,
-                       run.cpuTime, run.isGrowing);
+    return historyRow(fmt::format("{} {} {} {} {} {} {} {} {:.3g} {:d}", motion, run.intensity, run.factor,
+                                  static_cast<int>(run.verdict), run.largest, run.endTime, run.steps,
+                                  run.worstResidual, run.cpuTime, run.isGrowing));
+}
+
+/// Refuses a row whose numbers contradict each other, or the study, or that is there twice: whoever changed
+/// it left nothing else to see it by.
+template<int Dim>
+void refuseContradictions(const IncrementalDynamics<Dim>& study, const HistoryRow& row, std::size_t motion,
+                          const IncrementalRun& run, const IncrementalCurve& before)
+{
+    constexpr double rounding = 1e-12;
+    const double factor = study.factor(study.motions[motion], run.intensity);
+    if (factor > 0 && std::abs(run.factor - factor) > rounding * factor) // none without gravity
+    {
+        row.refuse(2, fmt::format("{}, which makes the peak of {} the intensity {}", factor,
+                                  study.motions[motion].name, run.intensity));
+    }
+    const bool isAbove = run.largest > study.criterion.limit;
+    if (run.verdict != Verdict::notConverged && isAbove != (run.verdict == Verdict::meets))
+    {
+        row.refuse(3, fmt::format("{} where {} is {}, and the limit of it {}",
+                                  static_cast<int>(isAbove ? Verdict::meets : Verdict::stands),
+                                  study.criterion.figure.name, run.largest, study.criterion.limit));
+    }
+    if (std::any_of(before.begin(), before.end(),
+                    [&run](const IncrementalRun& other) { return other.intensity == run.intensity; }))
+    {
+        row.refuse(1, fmt::format("what no row of motion {} before has", motion));
+    }
 }
 
 } // namespace
@@ -70,6 +99,7 @@ IncrementalHistory<Dim>::IncrementalHistory(const std::filesystem::path& caseDir
         run.worstResidual = row.number(7);
         run.cpuTime = row.finite(8, 0);
         run.isGrowing = row.whole(9, 0, 1) != 0;
+        refuseContradictions(study, row, motion, run, curves[motion]);
         curves[motion].push_back(run);
         text += rowOf(motion, run);
     }

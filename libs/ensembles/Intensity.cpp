@@ -15,10 +15,13 @@ namespace
 /// More runs than this are taken for a mistake in the dictionary.
 constexpr int mostIntensities = 100000;
 
+/// Of a step: how much steps may miss the end of their range by.
+constexpr double missedByRounding = 1e-6;
+
 /// Number of steps from one intensity to another, rounded up; a very small remainder is rounding.
 long stepsBetween(double from, double to, double step)
 {
-    return std::lround(std::ceil((to - from) / step - 1e-6));
+    return std::lround(std::ceil((to - from) / step - missedByRounding));
 }
 
 void declareUnit(Options& options, IntensityUnit& unit)
@@ -43,6 +46,10 @@ struct EqualStepsSettings
     double from = 0;
     double to = 0;
     double step = 0;
+
+    /// Number of steps up to `to`; a very small remainder is rounding.
+    long count() const { return std::lround(std::floor((to - from) / step + missedByRounding)); }
+    double at(long i) const { return from + static_cast<double>(i) * step; }
 };
 
 void declare(Options& options, EqualStepsSettings& settings)
@@ -53,6 +60,22 @@ void declare(Options& options, EqualStepsSettings& settings)
     options.required("step", settings.step, "between them").above(0).example("0.001");
     options.check("step", [&settings]
                   { return faultOfRange(settings.from, settings.to, settings.step, "from, to and step"); });
+    options.question(
+        "step",
+        [&settings]() -> std::string
+        {
+            const double length = settings.to - settings.from;
+            const double last = settings.at(settings.count());
+            if (settings.to - last <= missedByRounding * settings.step)
+            {
+                return "";
+            }
+            const auto steps = static_cast<double>(stepsBetween(settings.from, settings.to, settings.step));
+            return fmt::format("The highest intensity that is tried is {:g}, and not to {:g}: steps "
+                               "of {:g} do not divide the range from {:g}. Usual is a step that "
+                               "does, such as {:g}.",
+                               last, settings.to, settings.step, settings.from, length / steps);
+        });
 }
 
 IntensityPlan planSteps(const EqualStepsSettings& settings)
@@ -63,17 +86,14 @@ IntensityPlan planSteps(const EqualStepsSettings& settings)
                 std::vector<double> intensities;
                 if (trials.empty())
                 {
-                    const auto last =
-                        static_cast<long>(std::floor((settings.to - settings.from) / settings.step + 1e-6));
-                    for (long i = 0; i <= last; ++i)
+                    for (long i = 0; i <= settings.count(); ++i)
                     {
-                        intensities.push_back(settings.from + static_cast<double>(i) * settings.step);
+                        intensities.push_back(settings.at(i));
                     }
                 }
                 return intensities;
             },
-            1 + static_cast<long>(std::floor((settings.to - settings.from) / settings.step + 1e-6)), false,
-            settings.step};
+            1 + settings.count(), false, settings.step};
 }
 
 struct BisectionSettings

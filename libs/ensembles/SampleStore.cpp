@@ -3,6 +3,7 @@
 #include "ensembles/SampleStore.h"
 
 #include "core/WholeFile.h"
+#include "ensembles/FingerprintedRow.h"
 #include "ensembles/StudyInput.h"
 #include "runControl/CaseFiles.h"
 
@@ -84,21 +85,25 @@ struct OpenFile
     ~OpenFile() { ::close(descriptor); }
 };
 
-/// Numbers of a line that ends with ` ;`; empty when it is incomplete.
-std::vector<double> numbersOf(const std::string& line)
+constexpr std::string_view rowEnd = " ;";
+
+/// Whether a line of a journal was written to its end.
+bool isWholeRow(const std::string& line)
+{
+    return line.ends_with(rowEnd);
+}
+
+/// Numbers of a text that has nothing else, or none.
+std::vector<double> numbersOf(const std::string& text)
 {
     std::vector<double> numbers;
-    if (!line.ends_with(" ;"))
-    {
-        return numbers;
-    }
-    const char* at = line.c_str();
+    const char* at = text.c_str();
     for (char* end = nullptr;; at = end)
     {
         const double value = std::strtod(at, &end);
         if (end == at)
         {
-            return std::string_view(at) == " ;" ? numbers : std::vector<double>();
+            return at == text.c_str() + text.size() ? numbers : std::vector<double>();
         }
         numbers.push_back(value);
     }
@@ -108,6 +113,32 @@ std::vector<double> numbersOf(const std::string& line)
 bool isWhole(double number, double least, double most)
 {
     return number >= least && number <= most && number == std::floor(number);
+}
+
+/// A row of a journal with the number of its sample; nothing where it is damaged.
+std::optional<std::pair<long, SampleRow>> rowOf(const std::string& line, std::size_t results)
+{
+    const auto text = withoutFingerprint(line.substr(0, line.size() - rowEnd.size()));
+    const std::vector<double> numbers = numbersOf(text.value_or(""));
+    if (numbers.size() != 4 + results || !isWhole(numbers[0], 0, 0x1p53)
+        || !isWhole(numbers[1], 0, sampleStatuses - 1)
+        || !isWhole(numbers[2], 0, std::numeric_limits<int>::max()))
+    {
+        return {};
+    }
+    return std::pair{static_cast<long>(numbers[0]),
+                     SampleRow{static_cast<SampleStatus>(static_cast<int>(numbers[1])),
+                               static_cast<int>(numbers[2]),
+                               numbers[3],
+                               {numbers.begin() + 4, numbers.end()}}};
+}
+
+/// Whether two computations of one sample cannot both be right. One may have ended for want of time.
+bool contradict(const SampleRow& one, const SampleRow& other)
+{
+    const auto isSame = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+    return one.status == SampleStatus::done && other.status == SampleStatus::done
+           && !std::equal(one.results.begin(), one.results.end(), other.results.begin(), isSame);
 }
 
 /// The lines of a plan that are not of files, by their first words.
@@ -331,13 +362,13 @@ Journal::~Journal()
 void Journal::add(long sample, const SampleRow& row)
 {
     // The fewest digits that read back as the same number.
-    pending +=
+    std::string text =
         fmt::format("{} {} {} {:.3g}", sample, static_cast<int>(row.status), row.attempts, row.cpuTime);
     for (const double result : row.results)
     {
-        pending += fmt::format(" {}", result);
+        text += fmt::format(" {}", result);
     }
-    pending += " ;\n";
+    pending += fmt::format("{}{}\n", withFingerprint(text), rowEnd);
     if (monotonicTime() - lastFlush > 0.1)
     {
         flush();
@@ -360,27 +391,50 @@ void Journal::sync()
     }
 }
 
-void readJournal(const fs::path& file, std::size_t results, std::map<long, SampleRow>& rows)
+void readJournal(const fs::path& file, std::size_t results, std::map<long, SampleRow>& rows,
+                 std::vector<Doubt>* doubts)
 {
+    int damaged = 0;
+    int firstDamaged = 0;
+    int number = 0;
     std::ifstream stream(file);
     for (std::string line; std::getline(stream, line);)
     {
-        const std::vector<double> numbers = numbersOf(line);
-        const bool isRow = numbers.size() == 4 + results && isWhole(numbers[0], 0, 0x1p53)
-                           && isWhole(numbers[1], 0, sampleStatuses - 1)
-                           && isWhole(numbers[2], 0, std::numeric_limits<int>::max());
-        if (isRow)
+        ++number;
+        if (!isWholeRow(line))
         {
-            rows.try_emplace(static_cast<long>(numbers[0]),
-                             SampleRow{static_cast<SampleStatus>(static_cast<int>(numbers[1])),
-                                       static_cast<int>(numbers[2]),
-                                       numbers[3],
-                                       {numbers.begin() + 4, numbers.end()}});
+            continue;
         }
+        const auto row = rowOf(line, results);
+        if (!row)
+        {
+            firstDamaged = damaged++ == 0 ? number : firstDamaged;
+            continue;
+        }
+        const auto [known, isNew] = rows.insert(*row);
+        if (doubts && !isNew && contradict(known->second, row->second))
+        {
+            doubts->push_back(
+                {fmt::format(
+                     "Sample {} has other results in this row than in one before, which counts. Remove "
+                     "the wrong one: `grep '^{} ' {}/journal.*` shows both.",
+                     row->first, row->first, file.parent_path().string()),
+                 {file.string(), "", number}});
+        }
+    }
+    if (doubts && damaged > 0)
+    {
+        doubts->push_back(
+            {fmt::format("{} row{} of this journal {} not what was written there, this is the "
+                         "first: not used, and computed again where no other row has the sample. "
+                         "Remove {} to end this warning.",
+                         damaged, damaged == 1 ? "" : "s", damaged == 1 ? "is" : "are",
+                         damaged == 1 ? "it" : "them"),
+             {file.string(), "", firstDamaged}});
     }
 }
 
-std::map<long, SampleRow> readJournals(const fs::path& work, std::size_t results)
+std::map<long, SampleRow> readJournals(const fs::path& work, std::size_t results, std::vector<Doubt>* doubts)
 {
     std::map<long, SampleRow> rows;
     std::vector<fs::path> files;
@@ -395,7 +449,7 @@ std::map<long, SampleRow> readJournals(const fs::path& work, std::size_t results
     std::sort(files.begin(), files.end());
     for (const fs::path& file : files)
     {
-        readJournal(file, results, rows);
+        readJournal(file, results, rows, doubts);
     }
     return rows;
 }

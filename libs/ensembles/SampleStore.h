@@ -8,7 +8,9 @@
 ///     chunks.<n>.<m>   of n samples a byte for each chunk of m: 1 when all of them are in a journal. A
 ///                      process claims a chunk by locking its byte (fcntl): the kernel releases the lock when
 ///                      the process dies, however it does
-///     journal.<host>.<process>.<worker>    a row a sample, written at its end and synced a chunk at a time
+///     journal.<host>.<process>.<worker>    a row a sample with its fingerprint, written at its end and
+///     synced a
+///                      chunk at a time
 ///     failures         a row an attempt that failed
 ///     messages.*       what workers print on standard error
 ///
@@ -16,6 +18,7 @@
 /// sample the first counts.
 #pragma once
 
+#include "core/Doubt.h"
 #include "ensembles/Ensemble.h"
 
 #include <map>
@@ -117,10 +120,14 @@ private:
     double lastFlush = 0;
 };
 
-/// All rows of all journals of a folder. \param results in a row
-std::map<long, SampleRow> readJournals(const std::filesystem::path& work, std::size_t results);
+/// All rows of all journals of a folder. Rows that are torn, as where a worker was killed, are left out, and
+/// so are those that have been changed since. \param results in a row \param doubts what has been changed, or
+/// contradicts another row, is added to them; null: not looked for
+std::map<long, SampleRow> readJournals(const std::filesystem::path& work, std::size_t results,
+                                       std::vector<Doubt>* doubts = nullptr);
 /// Of one journal; none where there is no such file.
-void readJournal(const std::filesystem::path& file, std::size_t results, std::map<long, SampleRow>& rows);
+void readJournal(const std::filesystem::path& file, std::size_t results, std::map<long, SampleRow>& rows,
+                 std::vector<Doubt>* doubts = nullptr);
 
 void addFailure(const std::filesystem::path& work, const FailedAttempt& attempt);
 std::vector<FailedAttempt> readFailures(const std::filesystem::path& work);

@@ -2,6 +2,8 @@
 /// Reads histories of studies, and says what is wrong with one that is damaged.
 #include "ensembles/StudyHistory.h"
 
+#include "ensembles/FingerprintedRow.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -94,11 +96,35 @@ std::vector<std::string> columnsOf(const std::string& heading)
     return {std::istream_iterator<std::string>(words), {}};
 }
 
+[[noreturn]] void refuseCutRow(const std::string& study, const SourceLocation& place)
+{
+    throw FatalIOError(
+        fmt::format("The history is cut off in its last row, which has no end of line: its last "
+                    "number may lack digits.\n\nRemove the row, or postProcessing/{} to start "
+                    "again.",
+                    study),
+        place);
+}
+
+[[noreturn]] void refuseChangedRow(const std::string& study, const SourceLocation& place)
+{
+    throw FatalIOError(
+        fmt::format("A row of the history is not what was written there.\n\nRemove the row, to "
+                    "compute it again, or postProcessing/{} to start again.",
+                    study),
+        place);
+}
+
 } // namespace
 
 std::string historyInput(const std::vector<InputFile>& files)
 {
     return inputLines(files, "# ");
+}
+
+std::string historyRow(const std::string& numbers)
+{
+    return withFingerprint(numbers) + "\n";
 }
 
 void HistoryRow::refuse(std::size_t column, const std::string& wanted) const
@@ -164,6 +190,16 @@ std::vector<HistoryRow> readHistory(const fs::path& file, const std::string& hea
     {
         ++lineNumber;
         const SourceLocation place{file.string(), "", lineNumber};
+        const std::optional<std::string> checked = withoutFingerprint(line);
+        if (!checked && lines.eof())
+        {
+            refuseCutRow(study, place);
+        }
+        if (!checked)
+        {
+            refuseChangedRow(study, place);
+        }
+        line = *checked;
         std::vector<double> row;
         const char* at = line.c_str();
         for (char* end = nullptr;; at = end)
@@ -185,12 +221,7 @@ std::vector<HistoryRow> readHistory(const fs::path& file, const std::string& hea
         }
         if (lines.eof())
         {
-            throw FatalIOError(
-                fmt::format("The history is cut off in its last row, which has no end of line: "
-                            "its last number may lack digits.\n\nRemove the row, or "
-                            "postProcessing/{} to start again.",
-                            study),
-                place);
+            refuseCutRow(study, place);
         }
         rows.emplace_back(from, lineNumber, std::move(row));
     }

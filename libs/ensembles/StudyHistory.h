@@ -60,6 +60,9 @@ private:
     std::vector<double> values;
 };
 
+/// A row to be written: its numbers, and what tells whether they have been changed since.
+std::string historyRow(const std::string& numbers);
+
 /// Why a history is not continued: `constant/g has changed`. Empty: it has the heading, or there is none.
 /// \param heading comment lines that identify what the rows depend on, files as `historyInput` has them; the
 /// last names the columns
@@ -68,11 +71,10 @@ private:
 std::string changedHistory(const std::filesystem::path& file, const std::string& heading,
                            const std::string& study);
 
-/// The rows that an interrupted study has written.
-/// \param numbers in a row
-/// \return nothing when there is no such file
-/// \throws FatalError as `changedHistory`, and when the heading differs, naming what has changed, or a row is
-/// not of so many numbers
+/// The rows that an interrupted study has written. Those from `historyRow` are compared with what was
+/// written, others have their numbers only. \param numbers in a row \return nothing when there is no such
+/// file \throws FatalError as `changedHistory`, and when the heading differs, naming what has changed, or a
+/// row is not of so many numbers, or has been changed
 std::vector<HistoryRow> readHistory(const std::filesystem::path& file, const std::string& heading,
                                     std::size_t numbers, const std::string& study);
 

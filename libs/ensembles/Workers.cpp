@@ -46,7 +46,12 @@ public:
         : ensemble(of), store(sharedStore), settings(wanted), memory(mapped(wanted.jobs))
     {
         completed = store.completed(); // before the journals, which have all of these by then
-        known = readJournals(store.folder(), ensemble.settings.results.size());
+        std::vector<Doubt> doubts;
+        known = readJournals(store.folder(), ensemble.settings.results.size(), &doubts);
+        if (isFirst())
+        {
+            question(doubts);
+        }
         compareChunksWithJournals();
         const std::string host = hostName();
         removeCopiesOfTheDead(fmt::format("case.{}.", host));
@@ -161,6 +166,9 @@ private:
         return std::all_of(completed.begin(), completed.end(), [](char done) { return done != 0; });
     }
 
+    /// Whether this process warns of what all of them find.
+    bool isFirst() const { return settings.launched.rank == 0 || settings.launched.isArray; }
+
     /// Completes chunks all of whose samples are in journals, after an interruption or for a longer table,
     /// and reopens those of which samples are in none, where files were lost.
     void compareChunksWithJournals()
@@ -182,7 +190,7 @@ private:
                 store.complete(chunk);
             }
         }
-        if (lost > 0 && (settings.launched.rank == 0 || settings.launched.isArray))
+        if (lost > 0 && isFirst())
         {
             printWarning(
                 fmt::format("{} samples that were computed are in no journal of {} any more, as after "

@@ -35,6 +35,28 @@ bool isWithin(const FunctionPlan<Dim>& plan, const TimePoint& now)
            && !(plan.timeEnd && now.value > *plan.timeEnd + small);
 }
 
+/// An interval with what it counts.
+std::string inWords(const OutputSettings& settings)
+{
+    const auto unit = [&settings]() -> std::string_view
+    {
+        switch (settings.writeControl)
+        {
+        case WriteControl::timeStep:
+            return "steps";
+        case WriteControl::writeTime:
+            return "writes of the state";
+        case WriteControl::cpuTime:
+            return "s of the processor's time";
+        case WriteControl::clockTime:
+            return "s of real time";
+        default:
+            return "s";
+        }
+    };
+    return fmt::format("{:g} (in {})", settings.writeInterval, unit());
+}
+
 /// Of a function without type: its name is one. \throws FatalIOError where it is not
 template<int Dim>
 void requireType(const std::string& name, const SourceLocation& place)
@@ -115,6 +137,7 @@ void FunctionList<Dim>::write(const StepObservation<Dim>& step, const TimePoint&
         if (due && isWithin(function.plan, now))
         {
             function.object->write(step);
+            function.hasWritten = true;
         }
     }
     written = std::max(written, now.value + reachOf(now));
@@ -176,6 +199,31 @@ void FunctionList<Dim>::questionTimes(double endTime, double deltaT) const
                                      function.name, plan.times.back(), endTime),
                          function.place);
         }
+    }
+}
+
+template<int Dim>
+void FunctionList<Dim>::questionUnwritten(double end) const
+{
+    for (const Function& function : functions)
+    {
+        const FunctionPlan<Dim>& plan = function.plan;
+        const bool isLater = plan.timeStart && *plan.timeStart > end; // see questionTimes
+        if (function.hasWritten || !plan.times.empty() || isLater
+            || plan.control.writeControl == WriteControl::none)
+        {
+            continue;
+        }
+        const std::string interval = inWords(plan.control);
+        printWarning(
+            plan.timeEnd && *plan.timeEnd < end
+                ? fmt::format("Function {} has written nothing: its writeInterval {} came due at no step up "
+                              "to its timeEnd {:g} s. Give a later timeEnd, or a shorter writeInterval.",
+                              function.name, interval, *plan.timeEnd)
+                : fmt::format("Function {} has written nothing: its writeInterval {} came due at no step of "
+                              "the run, which has ended at {:g} s. Give a shorter writeInterval.",
+                              function.name, interval, end),
+            function.place);
     }
 }
 

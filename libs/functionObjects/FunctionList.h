@@ -92,6 +92,10 @@ public:
     /// Warns of functions that write nothing, or not at all their times, in a run with this endTime [s].
     void questionTimes(double endTime, double deltaT) const;
 
+    /// Warns, after a run that ended at this time [s], of functions that have written nothing though they
+    /// were meant to by then.
+    void questionUnwritten(double end) const;
+
     /// Warns of `times` that have passed when the run begins, which is where its motion does.
     void questionTimesBeforeMotion() const;
 
@@ -110,6 +114,7 @@ private:
         OutputControl control;
         std::filesystem::path folder; ///< postProcessing/<name>/<start>
         std::unique_ptr<FunctionObject<Dim>> object;
+        bool hasWritten = false;
     };
     std::vector<Function> functions;
     std::string title; ///< of the case

@@ -191,6 +191,10 @@ void printSummary(const MotionSummary<Dim>& summary, const Motion<Dim>& motion)
         printLine(line);
     }
     printLine();
+    if (const std::string doubt = summary.doubtAboutDisplacements(); !doubt.empty())
+    {
+        printWarning(doubt);
+    }
 }
 
 template<int Dim>

@@ -31,7 +31,8 @@ void printAddedEffects(const DynamicCase<Dim>& scene);
 template<int Dim>
 void printStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time);
 
-/// After the last step: its largest displacement, and whether the blocks rest.
+/// After the last step: its largest displacement, whether the blocks rest, and a warning where these are not
+/// the small displacements that the schemes take them for.
 template<int Dim>
 void printSummary(const MotionSummary<Dim>& summary, const Motion<Dim>& motion);
 

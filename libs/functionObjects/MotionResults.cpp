@@ -70,6 +70,13 @@ void questionSteps(const Time& time)
     }
 }
 
+/// Whether a run has taken steps, up to its end time.
+bool hasEnded(const Time& time)
+{
+    return time.value() > time.startValue() && time.exitStatus() == 0
+           && time.controls().stopAt == StopAt::endTime;
+}
+
 /// A directory that was renamed, or copied to begin another motion from the end of this one.
 void refuseOtherTime(const TimeState& saved, const Time& time, const std::filesystem::path& file)
 {
@@ -327,6 +334,12 @@ void MotionResults<Dim>::printWritten() const
              kept.size() == 1 ? "the state of time " + kept.front()
                               : fmt::format("{} states, {} to {}", kept.size(), kept.front(), kept.back()));
     }
+    else if (statesWritten.empty() && hasEnded(time))
+    {
+        info("Wrote no state, from which a run could continue: the end {} s is before the first write of "
+             "writeControl and writeInterval",
+             time.name());
+    }
     functionList.writePictures();
     const std::filesystem::path folder = postProcessingFolder(caseDirectory, "effects", time.startName());
     if (effects && effects->write(folder, caseName(caseDirectory), time.controls().pictureFormats))
@@ -343,6 +356,10 @@ void MotionResults<Dim>::printWritten() const
              fmt::join(names, " "));
     }
     printLine();
+    if (hasEnded(time))
+    {
+        functionList.questionUnwritten(time.value());
+    }
 }
 
 template Motion<2> startOrContinue(const std::filesystem::path& caseDirectory, const DynamicCase<2>& scene,

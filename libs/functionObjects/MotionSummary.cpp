@@ -48,6 +48,12 @@ void MotionSummary<Dim>::observe(const DynamicState<Dim>& state)
             farthestBlock = static_cast<int>(block);
             timeOfLargest = state.time;
         }
+        const double turn = rowsOf(state.placements[block].rotation).norm();
+        if (turn > largestTurn)
+        {
+            largestTurn = turn;
+            turnedBlock = static_cast<int>(block);
+        }
         speed = std::max(speed, speedOf(state, scene.free[block]));
     }
     fastest = std::max(fastest, speed);
@@ -109,6 +115,25 @@ std::vector<std::string> MotionSummary<Dim>::lines(const DynamicState<Dim>& last
         fmt::format("Farther from their places than half the mean block size of {:.3g} m: {} of {} blocks",
                     scene.blockSize, away, freeBlocks));
     return text;
+}
+
+template<int Dim>
+std::string MotionSummary<Dim>::doubtAboutDisplacements() const
+{
+    const double share = largest / scene.blockSize;
+    const bool turnsMore = 0.5 * largestTurn > share;
+    if (!scene.schemes.smallDisplacements || std::max(share, 0.5 * largestTurn) <= mostSmallDisplacement)
+    {
+        return {};
+    }
+    return fmt::format(
+        "`smallDisplacements yes;` of system/schemes holds for the structure as built, and {}: "
+        "whether blocks move is right, how far and where to is not. `smallDisplacements no;` "
+        "follows them.",
+        turnsMore ? fmt::format("block {} has turned by {:.3g} rad", turnedBlock, largestTurn)
+                  : fmt::format("block {} has moved by {:.3g} m, which is {:.3g} of the mean "
+                                "block size",
+                                farthestBlock, largest, share));
 }
 
 template class MotionSummary<2>;

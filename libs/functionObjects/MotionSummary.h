@@ -10,6 +10,10 @@
 namespace drystone
 {
 
+/// Displacements up to this are small [mean block size]: lever arms as built, and with them the loads at
+/// which blocks turn over, are wrong by about as much.
+constexpr double mostSmallDisplacement = 0.05;
+
 /// Largest displacement of a mass centre during a run and the state at its end. Holds a reference to the
 /// scene. Displacements are from the structure as built, relative to the ground.
 template<int Dim>
@@ -26,6 +30,10 @@ public:
     /// this is no turning point of a block that rocks. None before the first step.
     std::vector<std::string> lines(const DynamicState<Dim>& last) const;
 
+    /// With `smallDisplacements yes;`: that a block has moved or turned so far that contact points and lever
+    /// arms as built are wrong. Empty where none has.
+    std::string doubtAboutDisplacements() const;
+
     /// Speed below which a block counts as at rest [m/s]: that of a fall through 1e-8 of the mean block size.
     double restSpeed() const;
 
@@ -38,6 +46,8 @@ private:
     double largest = 0; ///< [m]
     int farthestBlock = -1;
     double timeOfLargest = 0;
+    double largestTurn = 0; ///< [rad]
+    int turnedBlock = -1;
     double fastest = 0;    ///< speed at any time of the run [m/s]
     double restsSince = 0; ///< end of the first step from which no block was faster than restSpeed [s]
     bool rests = false;

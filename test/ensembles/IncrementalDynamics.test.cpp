@@ -2,6 +2,7 @@
 /// Incremental analyses of a block on the ground, whose thresholds have a closed form: it slides at mu g and
 /// rocks at (width/height) g.
 #include "ensembles/IncrementalDynamics.h"
+#include "ensembles/IncrementalDynamicsCase.h"
 
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
@@ -228,6 +229,23 @@ TEST(IncrementalDynamics, ARunThatDoesNotConvergeIsNeverCountedAsStanding)
     EXPECT_EQ(curves.at(0).at(1).verdict, Verdict::notConverged);
     EXPECT_EQ(leastIntensity(curves.at(0)).kind, LeastIntensity::Kind::notConverged);
     EXPECT_EQ(exitStatus(curves), 2);
+}
+
+TEST(IncrementalDynamics, CriteriaBeyondSmallDisplacementsAreQuestioned)
+{
+    const auto doubtAbout = [](const std::string& criterion, bool isSmall)
+    {
+        IncrementalDynamics<2> study = studyOf({.width = 0.5, .height = 2, .criterion = criterion});
+        study.scene.schemes.smallDisplacements = isSmall;
+        return doubtAboutCriterion(study);
+    };
+    EXPECT_EQ(doubtAbout("type motion; displacement 1e-6;", true), "");
+    EXPECT_EQ(doubtAbout("type displacement; limit 0.04;", true), "");
+    EXPECT_EQ(doubtAbout("type displacement; limit 0.2;", false), "");
+    EXPECT_NE(doubtAbout("type displacement; limit 0.2;", true).find("moved by 0.2 of the mean block size"),
+              std::string::npos);
+    EXPECT_NE(doubtAbout("type rotation; limit 0.3;", true).find("moved by 0.15 of"), std::string::npos);
+    EXPECT_NE(doubtAbout("type collapse;", true).find("moved by 0.5 of"), std::string::npos);
 }
 
 TEST(IncrementalDynamics, ASignalStopsIt)

@@ -116,6 +116,41 @@ TEST_F(IncrementalHistoryTest, DamagedRowsAreNamed)
     }
 }
 
+TEST_F(IncrementalHistoryTest, RowsThatContradictThemselvesOrOthersAreNamed)
+{
+    study.gravity = 10;
+    study.criterion.limit = 0.01;
+    IncrementalRun sound = someRun(0.5);
+    sound.factor = 0.5 * 10 / 2.5;
+    history().add(0, sound);
+    EXPECT_EQ(history().count(), 1u);
+    const auto file = folder / "postProcessing/history.dat";
+    const std::string text = contentOfFile(file);
+    const int line = static_cast<int>(std::count(text.begin(), text.end(), '\n')) + 1;
+    // motion, intensity, factor, verdict, largest, ...
+    const std::vector<std::pair<std::string, std::string>> rows{
+        {"0 0.6 2 1 0.02 1 1 1 1 0", "2.4, which makes the peak of first the intensity 0.6"},
+        {"0 0.6 2.4 0 0.02 1 1 1 1 0", "1 where displacement is 0.02, and the limit of it 0.01"},
+        {"0 0.6 2.4 1 0.002 1 1 1 1 0", "0 where displacement is 0.002"},
+        {"0 0.5 2 1 0.02 1 1 1 1 0", "no row of motion 0 before"}};
+    for (const auto& [row, fault] : rows)
+    {
+        writeWholeFile(file, text + row + "\n");
+        try
+        {
+            history();
+            ADD_FAILURE() << row;
+        }
+        catch (const FatalIOError& error)
+        {
+            EXPECT_NE(error.report().find(fault), std::string::npos) << error.report();
+            EXPECT_EQ(error.location().line, line) << row;
+        }
+    }
+    writeWholeFile(file, text + "0 0.6 2.4 1 0.02 1 1 1 1 0\n");
+    EXPECT_EQ(history().count(), 2u);
+}
+
 TEST_F(IncrementalHistoryTest, DamagedFilesAreNotTakenForThoseOfOtherInput)
 {
     writeWholeFile(folder / "postProcessing/history.dat", "");

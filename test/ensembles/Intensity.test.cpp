@@ -64,6 +64,24 @@ TEST(Intensity, StepsReachTheirEnd)
     EXPECT_EQ(planOf("type step; from 0.1; to 0.25; step 0.1;").next({}).size(), 2u);
 }
 
+TEST(Intensity, StepsThatMissTheirEndAreQuestioned)
+{
+    const auto doubtAbout = [](const std::string& text)
+    {
+        testing::internal::CaptureStderr();
+        planOf(text);
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_EQ(doubtAbout("type step; from 0.6; to 0.7; step 0.001;"), "");
+    EXPECT_EQ(doubtAbout("type step; from 0.1; to 0.7; step 0.2;"), "");
+    const std::string doubt = doubtAbout("type step; from 0.3;\nto 0.5;\nstep 0.15;");
+    EXPECT_THAT(doubt, HasSubstr("The highest intensity that is tried is 0.45, and not to 0.5"));
+    EXPECT_THAT(doubt, HasSubstr("such as 0.1."));
+    EXPECT_THAT(doubt, HasSubstr("line 3."));
+    EXPECT_THAT(doubtAbout("type step; from 0.3; to 0.4; step 1;"),
+                HasSubstr("tried is 0.3, and not to 0.4"));
+}
+
 TEST(Intensity, UnitsAreReadWithAndWithoutQuotes)
 {
     EXPECT_EQ(planOf("type list; values (1 2);").unit, IntensityUnit::g);

@@ -112,6 +112,22 @@ TEST_F(StudyHistory, RowsOfOtherLengthsAndOfOneThatIsCutOffAreNamedWithTheirLine
     }
 }
 
+TEST_F(StudyHistory, ARowThatWasChangedIsNamedWithItsLine)
+{
+    const std::string row = historyRow("1 0.25");
+    ASSERT_EQ(rowsOf(heading + "0 0.5\n" + row + row).size(), 3u);
+    EXPECT_EQ(rowsOf(heading + row)[0].number(1), 0.25);
+    for (std::size_t at = 0; at + 1 < row.size(); ++at)
+    {
+        std::string changed = row;
+        changed[at] = changed[at] == '3' ? '4' : '3';
+        EXPECT_THAT(faultOf(heading + "0 0.5\n" + changed + row),
+                    testing::AllOf(HasSubstr("history.dat at line 5."), HasSubstr("emove the row")))
+            << changed;
+    }
+    EXPECT_THAT(faultOf(heading + row.substr(0, row.size() - 4)), HasSubstr("cut off in its last row"));
+}
+
 TEST_F(StudyHistory, ADamagedFileIsNotThatOfOtherInput)
 {
     EXPECT_THAT(faultOf(""), HasSubstr("The history is damaged: it is empty."));

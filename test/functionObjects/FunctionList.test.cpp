@@ -167,6 +167,33 @@ TEST_F(FunctionListTest, SaysWhatIsBeforeTheBeginningOfTheMotion)
     EXPECT_THAT(said, testing::Not(HasSubstr("all ")));
 }
 
+TEST_F(FunctionListTest, SaysAfterTheRunWhatHasWrittenNothing)
+{
+    FunctionList<2> functions = read("energy { }\n"
+                                     "rare { type energy; writeInterval 11; }\n"
+                                     "slow { type energy; writeControl runTime; writeInterval 20; }\n"
+                                     "past { type energy; timeEnd -1; }\n"
+                                     "late { type energy; timeStart 2; }\n"
+                                     "never { type energy; writeControl none; }\n"
+                                     "off { type energy; enabled off; }\n");
+    run(functions, 0, 10);
+    testing::internal::CaptureStderr();
+    functions.questionUnwritten(1);
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_THAT(said,
+                HasSubstr("Function rare has written nothing: its writeInterval 11 (in steps) came due at "
+                          "no step of the run, which has ended at 1 s."));
+    EXPECT_THAT(said, HasSubstr("Function slow has written nothing: its writeInterval 20 (in s) "));
+    EXPECT_THAT(said,
+                HasSubstr("Function past has written nothing: its writeInterval 1 (in steps) came due at "
+                          "no step up to its timeEnd -1 s."));
+    EXPECT_THAT(said, HasSubstr("line 2."));
+    EXPECT_THAT(said, testing::Not(HasSubstr("energy has")));
+    EXPECT_THAT(said, testing::Not(HasSubstr("late "))); // of which questionTimes warns
+    EXPECT_THAT(said, testing::Not(HasSubstr("never ")));
+    EXPECT_THAT(said, testing::Not(HasSubstr("off ")));
+}
+
 TEST_F(FunctionListTest, ARestartWritesBesideTheEarlierTables)
 {
     FunctionList<2> first = read("energy { }");

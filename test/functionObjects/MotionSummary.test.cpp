@@ -88,3 +88,24 @@ TEST(MotionSummary, ATurningPointIsNoRest)
     const auto lines = linesAfter(scene, {upperAt(scene, 0.9, 0.6, 0.2), upperAt(scene, 1, 0.7, 0)});
     EXPECT_THAT(lines.at(1), StartsWith("The blocks are at rest since 1 s, which may be a turning point"));
 }
+
+TEST(MotionSummary, SmallDisplacementsThatAreNotSmallAreQuestioned)
+{
+    DynamicCase<2> scene = stack();
+    const auto doubtAfter = [&scene](const DynamicState<2>& state)
+    {
+        MotionSummary<2> summary(scene);
+        summary.observe(state);
+        return summary.doubtAboutDisplacements();
+    };
+    EXPECT_EQ(doubtAfter(upperAt(scene, 0.5, 0.6, 0)), "");
+    scene.schemes.smallDisplacements = true;
+    EXPECT_EQ(doubtAfter(upperAt(scene, 0.5, 0.04, 0)), "");
+    EXPECT_THAT(
+        doubtAfter(upperAt(scene, 0.5, 0.6, 0)),
+        StartsWith("`smallDisplacements yes;` of system/schemes holds for the structure as built, and "
+                   "block 2 has moved by 0.6 m, which is 0.6 of the mean block size"));
+    DynamicState<2> turned = upperAt(scene, 0.5, 0.001, 0);
+    turned.placements[1].rotation = 0.3;
+    EXPECT_THAT(doubtAfter(turned), HasSubstr("block 1 has turned by 0.3 rad"));
+}
