@@ -19,8 +19,8 @@ namespace
 
 using NamedJoint = std::pair<NamePattern, JointProperties>;
 
-/// What a joint goes by: `own` the indices of its blocks, `ofZones` the zones that they are in, each in
-/// either order (0-1 and 1-0 are the same joint).
+/// What a joint goes by: `own` the indices of its blocks or the names of their supports, `ofZones` the zones
+/// that they are in and their supports, each in either order (0-1 and 1-0 are the same joint).
 struct JointNames
 {
     std::vector<std::string> own;
@@ -54,7 +54,16 @@ JointNames jointNames(const Assembly<Dim>& assembly, const std::vector<std::vect
     const auto groupsOf = [&](int index)
     {
         const int support = assembly.blocks[index].support;
-        return support >= 0 ? std::vector<std::string>{assembly.supports[support].name} : zones[index];
+        std::vector<std::string> groups = zones[index];
+        if (support >= 0)
+        {
+            const std::string& name = assembly.supports[support].name;
+            if (std::find(groups.begin(), groups.end(), name) == groups.end())
+            {
+                groups.push_back(name);
+            }
+        }
+        return groups;
     };
     const auto nameOf = [&](int index)
     {

@@ -146,6 +146,21 @@ TEST_F(JointLaws, TwoEntriesThatNameAJointByItsZonesAreWarnedOf)
         << "the name of the blocks comes before both";
 }
 
+// Of a zone with fixed and free blocks the fixed ones kept the friction of all joints without a word.
+TEST_F(JointLaws, ZonesHaveTheirFixedBlocksToo)
+{
+    assembly.zones = {{"base", {0, 2}}, {"shaft", {1}}, {"rock", {2}}};
+    const auto of = [&](const std::string& name) {
+        return laws("friction { type Coulomb; mu 0.5; }\njoints\n{\n" + name
+                    + " { friction { mu 0.2; } }\n}");
+    };
+    EXPECT_EQ(of("base-base")[2].mu, 0.2); // 0-ground
+    EXPECT_EQ(of("base-rock")[2].mu, 0.2);
+    EXPECT_EQ(of("base-ground")[2].mu, 0.2);
+    EXPECT_EQ(of("base-shaft")[0].mu, 0.2);
+    EXPECT_EQ(of("base-shaft")[2].mu, 0.5);
+}
+
 TEST_F(JointLaws, AreNamedByTheirBlocksInEitherOrder)
 {
     const auto of = laws("friction { type Coulomb; mu 0.5; }\njoints\n{\n1-0 { friction { mu 0.1; } }\n"
