@@ -36,8 +36,8 @@ private:
 
 /// All that changes in a run. What a run needs to continue bit for bit is `state`, `energy`, `residuals`,
 /// `points`, `contactForces`, `meanForces`, `interior`, `effectStates`, `slides`, `collisions`,
-/// `stepsInVain` and `overlapsLeft`; the analyses, `contacts`, `restProof` and `jointFriction` are found again
-/// from these.
+/// `stepsInVain` and `overlapsLeft`; the analyses, `contacts`, `restProof` and `jointFriction` are found
+/// again from these.
 template<int Dim>
 struct Motion
 {

@@ -53,8 +53,7 @@ bool isStillRight(RestProof<Dim>& proof, const Step<Dim>& step)
     }
     proof.timeStep = step.scheme.timeStep;
     setInertia(proof.program, step.mass, step.scheme);
-    return isElastic
-           || closedPoints<Dim>(proof.program, proof.deadLoad, proof.tolerance) == proof.isClosed;
+    return isElastic || closedPoints<Dim>(proof.program, proof.deadLoad, proof.tolerance) == proof.isClosed;
 }
 
 /// All that effects may load the structure with.
