@@ -54,6 +54,7 @@ RestProof<Dim>& keptProof(Step<Dim>& step)
     findContacts(own);
     assemble(own);
     contribute(own);
+    setInertia(own.program, own.mass, own.scheme); // what rests is not damped, see isStillRight
     std::vector<Eigen::VectorXd> loads;
     for (const auto& effect : scene.effects)
     {
