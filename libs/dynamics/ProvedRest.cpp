@@ -85,6 +85,7 @@ RestProof<Dim>& keptProof(Step<Dim>& step)
     findContacts(own);
     assemble(own);
     contribute(own);
+    setInertia(own.program, own.mass, own.scheme); // what rests is not damped, see isStillRight
     motion.restProof =
         own.program.hasCompliance()
             ? proofOfElasticRest<Dim>(std::move(own.program), step.scheme.timeStep, own.guess.contactForce)
