@@ -188,9 +188,9 @@ std::vector<double> readDensities(const std::filesystem::path& caseDirectory, co
                                [&zone](const auto& entry) { return entry.first.text == zone.name; });
             if (name.matches(zone.name) && !hasEntryOfItsOwn)
             {
-                questionZone(assembly, zone, named, ownDictionary.location());
                 if (name.text == zone.name)
                 {
+                    questionZone(assembly, zone, named, ownDictionary.location());
                     named.push_back(zone.name);
                 }
                 for (const int block : zone.blocks)

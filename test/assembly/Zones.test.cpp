@@ -108,26 +108,6 @@ TEST_F(Zones, TakeTheMaterialOfTheirNameBeforeThatOfPatterns)
     }
 }
 
-// Of blocks in two zones only two names were warned of.
-TEST_F(Zones, APatternThatTakesABlockFromANamedZoneIsWarnedOf)
-{
-    Assembly<3> assembly = twoCubes();
-    assembly.zones = {{"stone", {0, 1}}, {"brick", {1}}};
-    const auto warnings = [&](const std::string& zones)
-    {
-        write("constant/materialProperties", "density 2000; zones { " + zones + " }");
-        testing::internal::CaptureStderr();
-        readDensities<3>(directory, assembly, {0, 0, -10});
-        return testing::internal::GetCapturedStderr();
-    };
-    const std::string ofName = "stone { density 1800; } ";
-    const std::string ofPattern = "\".*\" { density 2500; } ";
-    EXPECT_THAT(
-        warnings(ofName + ofPattern),
-        HasSubstr("Block 1 is in the zones stone and brick: the density of brick, which comes later"));
-    EXPECT_EQ(warnings(ofPattern + ofName), "");
-}
-
 // One of several names was mistyped: its blocks had the density of all others without a word.
 TEST_F(Zones, ANameWithinAPatternThatNoZoneHasIsWarnedOf)
 {
