@@ -23,11 +23,13 @@ std::vector<int> pointsAmong(const std::vector<ContactPoint<Dim>>& earlier,
         std::iota(old.begin(), old.end(), 0);
         return old;
     }
+    auto first = earlier.begin(); // both lists are sorted by pairs
     for (std::size_t point = 0; point < points.size(); ++point)
     {
-        const auto [first, last] =
-            entriesOf(pairOf(points[point]), earlier.begin(), earlier.end(), pairOf<Dim>);
-        for (auto there = first; there != last; ++there)
+        const std::pair<int, int> pair = pairOf(points[point]);
+        first = std::find_if(first, earlier.end(),
+                             [&pair](const ContactPoint<Dim>& other) { return pairOf(other) >= pair; });
+        for (auto there = first; there != earlier.end() && pairOf(*there) == pair; ++there)
         {
             if (isSameFeature<Dim>(there->feature, points[point].feature))
             {
