@@ -8,12 +8,12 @@
 #include "contact/ClosedAssembly.h"
 #include "core/Error.h"
 #include "core/Log.h"
-#include "core/LowerCase.h"
 #include "core/WholeFile.h"
 #include "functionObjects/Histories.h"
 #include "functionObjects/KeptResults.h"
 #include "functionObjects/LimitAnalysisResults.h"
 #include "functionObjects/LoadMeaning.h"
+#include "report/ActiveDrawing.h"
 #include "report/ReportSections.h"
 #include "runControl/Application.h"
 #include "runControl/CaseFiles.h"
@@ -129,41 +129,6 @@ void addStructure(HtmlPage& page, const fs::path& caseDirectory, const Assembly<
     }
     page.heading("Structure");
     page.table({}, rows);
-}
-
-/// Whether a drawing would do something on a page, as one of a case that came from elsewhere may: those that
-/// Drystone writes have neither scripts nor attributes for events nor pages of others within.
-bool isActive(const std::string& drawing)
-{
-    const std::string text = lowerCase(drawing);
-    for (const std::string_view mark :
-         {"<script", "<foreignobject", "<iframe", "<object", "<embed", "javascript:"})
-    {
-        if (text.find(mark) != std::string::npos)
-        {
-            return true;
-        }
-    }
-    for (std::size_t tag = text.find('<'); tag != std::string::npos; tag = text.find('<', tag + 1))
-    {
-        const std::string_view element = std::string_view(text).substr(tag, text.find('>', tag) - tag);
-        for (std::size_t at = element.find("on"); at != element.npos; at = element.find("on", at + 1))
-        {
-            const bool isBegin =
-                at > 0 && std::string_view(" \t\r\n/\"'").find(element[at - 1]) != element.npos;
-            std::size_t end = at;
-            while (end < element.size() && element[end] >= 'a' && element[end] <= 'z')
-            {
-                ++end;
-            }
-            end = std::min(element.find_first_not_of(" \t\r\n", end), element.size());
-            if (isBegin && end < element.size() && element[end] == '=')
-            {
-                return true;
-            }
-        }
-    }
-    return false;
 }
 
 /// Pictures that applications have left, but for those that are too large for a page.
