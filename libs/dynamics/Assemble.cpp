@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The second stage of a step: the program of rigid blocks, and what the last step tells about its solution.
-#include "dynamics/PointsOfPair.h"
+#include "contact/PointsOfPair.h"
 #include "dynamics/Step.h"
 
 #include <algorithm>

@@ -35,8 +35,8 @@ namespace drystone
 /// all blocks: which of them take part in an impact follows from forces, too. By Coulomb's law a step without
 /// an impact is known by the closing velocities of all points that it closes, whatever their forces; by the
 /// associative law, where sliding joints open and close in every step, any point that closes and carries a
-/// force counts. After steps in a row in which it has gained little not every step is
-/// tried. \return whether `solved.result` is the step; otherwise it is to be solved with all blocks
+/// force counts. After steps in a row in which it has gained little not every step is tried. \return whether
+/// `solved.result` is the step; otherwise it is to be solved with all blocks
 template<int Dim>
 bool solveAwake(Step<Dim>& step);
 

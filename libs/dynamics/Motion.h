@@ -75,8 +75,8 @@ struct Motion
     bool slides = false;     ///< see Step.h, of the last step
     int overlapsLeft = 0;    ///< steps to come that close no overlaps, since one was not solved otherwise
     int collisions = 0;      ///< steps in a row up to the last one in which points collided, see Step.h
-    int stepsInVain =
-        0; ///< steps in a row up to the last one in which fewer bodies gained little (HeldBlocks.h)
+    /// Steps in a row up to the last one in which fewer bodies gained little (HeldBlocks.h).
+    int stepsInVain = 0;
     std::vector<double> effectCalls; ///< of the last step, see EffectCalls.h, with `automatic`; else empty
     EffectUse effectUse;             ///< of this run
 };

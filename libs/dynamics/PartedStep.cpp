@@ -3,7 +3,7 @@
 /// them.
 #include "dynamics/PartedStep.h"
 
-#include "dynamics/PointsOfPair.h"
+#include "contact/PointsOfPair.h"
 #include "dynamics/UnpartedStep.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 /// Coulomb friction: its keys, and the coefficient of each point.
 #include "effects/Friction.h"
 
+#include "contact/PointsOfPair.h"
 #include "effects/JointLaws.h"
 
 #include <fmt/format.h>
@@ -105,7 +106,7 @@ FrictionOfJoints frictionOfNewPairs(const ContactProperties& contact, const Asse
     std::function<const JointProperties*(int, int)> byName; // made where it is needed
     for (const ContactPoint<Dim>& point : points)
     {
-        const std::pair pair(point.block, point.neighbour);
+        const std::pair<int, int> pair = pairOf(point);
         if ((!result.empty() && result.back().first == pair) || find(known, pair))
         {
             continue;
@@ -122,12 +123,21 @@ std::vector<double> frictionAt(const ContactProperties& contact, const Assembly<
                                const FrictionOfJoints& known, const std::vector<ContactPoint<Dim>>& points)
 {
     std::vector<double> friction = frictionCoefficients(contact, points.size());
-    const FrictionOfJoints ofNew = frictionOfNewPairs(contact, assembly, known, points);
+    FrictionOfJoints ofNew; // made where a pair is not known
     for (std::size_t i = 0; !known.empty() && i < points.size(); ++i)
     {
-        const std::pair pair(points[i].block, points[i].neighbour);
-        const double* ofKnown = find(known, pair);
-        friction[i] = ofKnown ? *ofKnown : *find(ofNew, pair);
+        const std::pair<int, int> pair = pairOf(points[i]);
+        if (i > 0 && pair == pairOf(points[i - 1]))
+        {
+            friction[i] = friction[i - 1];
+            continue;
+        }
+        const double* ofPair = find(known, pair);
+        if (!ofPair && ofNew.empty())
+        {
+            ofNew = frictionOfNewPairs(contact, assembly, known, points);
+        }
+        friction[i] = ofPair ? *ofPair : *find(ofNew, pair);
     }
     return friction;
 }

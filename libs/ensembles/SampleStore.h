@@ -8,9 +8,8 @@
 ///     chunks.<n>.<m>   of n samples a byte for each chunk of m: 1 when all of them are in a journal. A
 ///                      process claims a chunk by locking its byte (fcntl): the kernel releases the lock when
 ///                      the process dies, however it does
-///     journal.<host>.<process>.<worker>    a row a sample with its fingerprint, written at its end and
-///     synced a
-///                      chunk at a time
+///     journal.<host>.<process>.<worker>    a row a sample with its fingerprint, written at
+///                      its end and synced a chunk at a time
 ///     failures         a row an attempt that failed
 ///     messages.*       what workers print on standard error
 ///

@@ -65,7 +65,7 @@ TEST(LoadEnvelope, TakesTheLowerSideOfAJointAndTheFirstOfEqualPlaces)
     EXPECT_FALSE(worstPlace(LimitAnalysisCase<2>{}));
 }
 
-// The multiplier of the side that has one was dropped for that of the other, and the log told of the worst
+// The multiplier of the side that has one was dropped for that of the other, and the log named the worst
 // place as if all had one.
 TEST(LoadEnvelope, PlacesWithoutACollapseByCoulombsLawAreWarnedOf)
 {

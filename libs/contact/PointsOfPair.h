@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Lists of the contact points of a step are sorted by pairs of blocks: finds those of one pair.
+/// Lists of contact points are sorted by pairs of blocks: finds those of one pair.
 #pragma once
 
 #include "contact/ContactPoint.h"
