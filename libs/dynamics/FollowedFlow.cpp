@@ -30,6 +30,11 @@ constexpr int manyPivots(int dimensions)
     return dimensions == 3 ? 1 : 4;
 }
 
+/// In space a path that after so many changes, and one for so many points, is still at its start stays there:
+/// it swings about it.
+constexpr int pivotsAtStart = 100;
+constexpr int pointsToAPivotAtStart = 8;
+
 /// Forces that are followed are those of the overlaps to this part.
 constexpr double partOfFollowed = 0.1;
 
@@ -72,6 +77,7 @@ struct FollowedFlow
     StepProgram<Dim> program; ///< linearised about where the forces have led
     const FlowProblem<Dim>& problem;
     ThetaStep& step;
+    double mostWork = std::numeric_limits<double>::infinity(); ///< of the step at which paths are given up
 };
 
 /// A stage of the way to nearly rigid points.
@@ -84,6 +90,18 @@ struct FlowStage
     /// before, they stay as they are.
     bool isLast;
 };
+
+/// How many factorisations paths may still take.
+template<int Dim>
+int factorisationsLeft(const FollowedFlow<Dim>& flow)
+{
+    const int points = flow.program.points();
+    const int bodies = flow.program.bodies;
+    const double left =
+        flow.mostWork - workOf(flow.step.iterations, flow.step.factorisations, points, bodies);
+    return static_cast<int>(
+        std::clamp<double>(left / workOf(1, 1, points, bodies), 0, std::numeric_limits<int>::max()));
+}
 
 /// Takes the overlaps c/k away: with gaps that are smaller by them points carry the same forces where they
 /// touch (the method of multipliers, Hestenes 1969). What is left of the overlaps is what the forces change
@@ -115,10 +133,15 @@ bool followTo(FollowedFlow<Dim>& flow, ConeSolution& solution, const FlowStage& 
     constexpr double exact = 1e-3;
     const FlowProblem<Dim>& problem = flow.problem;
     const StepSettings& settings = problem.settings;
-    PathOf<Dim> path(
-        flow.program, solution,
-        {Sliding::coulomb, stage.stiffness, beyond * settings.solver.tolerance, stage.mostPivots},
-        problem.symbolic);
+    ContactPathSettings ofPath{.stiffness = stage.stiffness,
+                               .tolerance = beyond * settings.solver.tolerance,
+                               .maximumPivots = stage.mostPivots,
+                               .maximumFactorisations = factorisationsLeft(flow)};
+    if (Dim == 3)
+    {
+        ofPath.maximumPivotsAtStart = pivotsAtStart + flow.program.points() / pointsToAPivotAtStart;
+    }
+    PathOf<Dim> path(flow.program, solution, ofPath, problem.symbolic);
     bool isReached = false;
     double before = std::numeric_limits<double>::infinity();
     for (int round = 0; !isReached && round <= mostRelinearisations && path.follow(flow.program); ++round)
@@ -144,6 +167,41 @@ bool followTo(FollowedFlow<Dim>& flow, ConeSolution& solution, const FlowStage& 
     flow.step.iterations += path.factorisations();
     flow.step.factorisations += path.factorisations();
     return isReached;
+}
+
+/// From forces of another kind, by way of softer points. In space paths that lead nowhere leave programs
+/// their share of the work. \param last stage \return whether it was reached
+template<int Dim>
+bool followFromAfar(FollowedFlow<Dim>& flow, ConeSolution& solution, const ConeSolution& start,
+                    const FlowStage& last)
+{
+    constexpr double partOfWork = 0.5;
+    const StepWork* work = flow.problem.settings.work;
+    if (Dim == 3 && work)
+    {
+        const double done = workOf(flow.step.iterations, flow.step.factorisations, flow.program.points(),
+                                   flow.program.bodies);
+        flow.mostWork = done + partOfWork * std::max(0.0, work->mostOfAttempt - work->done - done);
+    }
+    const StepProgram<Dim>& program = flow.problem.program;
+    for (std::size_t way = 0; way < waysIn(Dim); ++way)
+    {
+        flow.program = program;
+        solution = start;
+        bool isReached = true;
+        for (std::size_t stage = 0; isReached && stage < softenings[way].size(); ++stage)
+        {
+            FlowStage softer = last;
+            softer.stiffness /= softenings[way][stage];
+            softer.isLast = stage + 1 == softenings[way].size();
+            isReached = followTo(flow, solution, softer);
+        }
+        if (isReached)
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 } // namespace
@@ -193,19 +251,10 @@ bool followFlow(ThetaStep& step, const FlowProblem<Dim>& problem, const ConeSolu
     const int many = manyPivots(Dim) * program.points();
     FollowedFlow<Dim> flow{program, problem, step};
     ConeSolution solution = start;
-    bool isReached = followTo(flow, solution, {stiffness, few, gapTolerance, true});
-    for (std::size_t way = 0; !isReached && following == Following::fromAnyForces && way < waysIn(Dim); ++way)
-    {
-        flow.program = program;
-        solution = start;
-        isReached = true;
-        for (std::size_t stage = 0; isReached && stage < softenings[way].size(); ++stage)
-        {
-            const bool isLast = stage + 1 == softenings[way].size();
-            isReached =
-                followTo(flow, solution, {stiffness / softenings[way][stage], many, gapTolerance, isLast});
-        }
-    }
+    const bool isReached =
+        followTo(flow, solution, {stiffness, few, gapTolerance, true})
+        || (following == Following::fromAnyForces
+            && followFromAfar(flow, solution, start, {stiffness, many, gapTolerance, true}));
     if (!isReached)
     {
         return false;

@@ -61,10 +61,12 @@ public:
             {
                 return std::nullopt;
             }
-            ContactPath<Rows, Forces> path(
-                moving, step,
-                {Sliding::coulomb, stiffnesses[stage], pathTolerance, mostChanges * given.points(), isOver},
-                symbolic);
+            ContactPath<Rows, Forces> path(moving, step,
+                                           {.stiffness = stiffnesses[stage],
+                                            .tolerance = pathTolerance,
+                                            .maximumPivots = mostChanges * given.points(),
+                                            .isOver = isOver},
+                                           symbolic);
             const bool isReached = path.follow(moving);
             factorisations += path.factorisations();
             if (!isReached)

@@ -225,5 +225,30 @@ TEST(HouseInSpace, DoesNotTryInEachStepByCoulombsLawWhatWasInVainInTheLast)
     }
 }
 
+// Paths from the forces of a program did not leave their start, three ways one after the other, and took what
+// the programs need by which such a house is solved: 1,376 factorisations of a step of twice the blocks,
+// which ended the run.
+TEST(HouseInSpace, LeavesWorkForProgramsWherePathsDoNotLeaveTheirStart)
+{
+    DynamicCase<3> scene = spaceScenes::sceneOf(
+        makeStructure<3>(Dictionary::readString(
+            "dimensions 3;\n"
+            "texture { type walls; unit (0.4 0.2 0.2); bond english; courses 10; walls {\n"
+            "front { from (0 0); length 10; }\n"
+            "left { from (0 0); direction (0 1); length 6; thickness right; } } }\n"
+            "supports { ground { type ground; } }\n")),
+        1, 0.5, {0, 0, -scenes::g});
+    scene.solution.tolerance = 1e-9;
+    scene.solution.maximumFactorisations = 2000;
+    GroundMotion::Component component;
+    component.acceleration = std::make_shared<ConstantAcceleration>(4);
+    setGroundMotion<3>(scene.effects, {{component}});
+    Motion<3> motion = startMotion(scene, stateAtRest(scene.assembly));
+    ASSERT_TRUE(advance(scene, motion, 0.005));
+    EXPECT_EQ(motion.work.attempts, 1);
+    EXPECT_LE(motion.residuals.factorisations, 600);
+    EXPECT_LE(motion.residuals.primalResidual, scene.solution.tolerance);
+}
+
 } // namespace
 } // namespace drystone

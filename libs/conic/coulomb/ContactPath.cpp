@@ -25,6 +25,9 @@ constexpr int mostEnds(int forces)
 /// In space a path that goes back so far in t has left where its tangents tell anything.
 constexpr double farthestBack = -0.2;
 
+/// A path that is no farther in t than this has not left its start.
+constexpr double nearStart = 1e-5;
+
 /// Where corrections gain nothing any more, the error that may be left in overlaps, as a share of the
 /// largest.
 constexpr double asGoodAsItGets = 0.5;
@@ -202,6 +205,7 @@ bool ContactPath<Rows, Forces>::walk(const VectorXd& residualOfStart, const Vect
     {
         sides[point] = sidesOf<Forces>(laws[point], states[point]);
     }
+    const int pivotsBefore = pivots;
     double t = 0;
     Exit last;
     VectorXd direction; // dx/dt
@@ -244,11 +248,15 @@ bool ContactPath<Rows, Forces>::walk(const VectorXd& residualOfStart, const Vect
         {
             return true;
         }
-        if (Forces > 2 && t < farthestBack)
+        const bool isStuckAtStart =
+            std::abs(t) < nearStart && pivots - pivotsBefore > settings.maximumPivotsAtStart;
+        if (isStuckAtStart || (Forces > 2 && t < farthestBack))
         {
             return false;
         }
-        if (++pivots > mostPivots || (settings.isOver && settings.isOver()) || !cross(exit, direction, rate))
+        const bool isOver = ++pivots > mostPivots || matrix.factorisations > settings.maximumFactorisations
+                            || (settings.isOver && settings.isOver());
+        if (isOver || !cross(exit, direction, rate))
         {
             return false;
         }

@@ -7,6 +7,7 @@
 #include "conic/coulomb/PieceMatrix.h"
 
 #include <functional>
+#include <limits>
 
 namespace drystone
 {
@@ -17,7 +18,11 @@ struct ContactPathSettings
     double stiffness = 0;     ///< k of every point, in both directions [N/m]
     double tolerance = 1e-12; ///< on the equations of motion, relative to the largest load
     int maximumPivots = 1000; ///< changes of state of single points, in one call
-    /// Asked before each of them: where it says so the solution is not reached. May be empty.
+    /// Of a walk that does not leave its start: it swings there between too many points that are nearly open,
+    /// or nearly slide.
+    int maximumPivotsAtStart = std::numeric_limits<int>::max();
+    int maximumFactorisations = std::numeric_limits<int>::max(); ///< of all calls
+    /// Asked before each change of state: where it says so the solution is not reached. May be empty.
     std::function<bool()> isOver = {};
 };
 
