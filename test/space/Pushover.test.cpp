@@ -73,6 +73,15 @@ TEST(PushoverInSpace, OfABoxPushedAskewTurnsAboutAnEdge)
     }
 }
 
+TEST(PushoverInSpace, OfBoxesThatNoLiveLoadMovesIsWithoutLimit)
+{
+    const Assembly<3> assembly =
+        onGround({makeBox({0, 0, 0}, {0.3, 0.4, 0.5}), makeBox({0, 0, 0.5}, {0.3, 0.4, 1})});
+    const Pushover pushover = push(assembly, 0.7, {0.1, 0.2, -1}, {.step = 0.01});
+    EXPECT_EQ(pushover.end, PushoverEnd::unbounded);
+    EXPECT_TRUE(pushover.curve.empty());
+}
+
 TEST(PushoverInSpace, OfABoxThatSlidesNeverEnds)
 {
     const Pushover pushover = push(onGround({makeBox({0, 0, 0}, {0.5, 0.5, 0.5})}), 0.1, {1, 0, 0},

@@ -183,3 +183,21 @@ TEST(Pushover, OfWhatTheLiveLoadHoldsUpHasNoPosition)
         EXPECT_TRUE(pushover.curve.empty()) << sense;
     }
 }
+
+TEST(Pushover, OfWhatNoLiveLoadMovesIsWithoutLimit)
+{
+    // Pressed onto the ground, blocks that are not yet at what is two courses farther carry any load.
+    Assembly<2> assembly;
+    assembly.supports = {{"ground", "ground"}};
+    assembly.blocks = {rectangle(0, 0, 0.3, 0.5), rectangle(0, 0.5, 0.3, 1), rectangle(-5, -1, 5, 0, 0)};
+    const WeighedStructure structure(std::move(assembly));
+    LoadVectors loads = structure.weightLoads();
+    loads.live = loads.dead;
+    loads.firstMomentsOfLive = loads.firstMomentsOfDead;
+    for (const double step : {0.1, 1e-4})
+    {
+        const Pushover pushover = push(structure, 0.7, {.step = step}, loads);
+        EXPECT_EQ(pushover.end, PushoverEnd::unbounded) << step;
+        EXPECT_TRUE(pushover.curve.empty()) << step;
+    }
+}
