@@ -7,8 +7,10 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace drystone
 {
@@ -46,6 +48,63 @@ double thicknessOf(const Polyhedron& shape)
     return thickness;
 }
 
+/// Whether a point lies on the normal through another one.
+bool isAcross(const Vector<3>& one, const Vector<3>& other, const Vector<3>& normal, double tolerance)
+{
+    const Vector<3> arm = one - other;
+    return (arm - normal.dot(arm) * normal).norm() <= tolerance;
+}
+
+/// The vertex of a face across a corner of a patch; null: none is.
+const Vector<3>* vertexAcross(const Polyhedron& shape, int face, const Vector<3>& corner,
+                              const Vector<3>& normal, double tolerance)
+{
+    for (const int index : shape.faces[static_cast<std::size_t>(face)])
+    {
+        const Vector<3>& vertex = shape.vertices[static_cast<std::size_t>(index)];
+        if (isAcross(vertex, corner, normal, tolerance))
+        {
+            return &vertex;
+        }
+    }
+    return nullptr;
+}
+
+/// Direction of the edge of a face that passes a corner of a patch nearest.
+Vector<3> edgeAcross(const Polyhedron& shape, int face, const Vector<3>& corner, const Vector<3>& normal)
+{
+    const std::vector<int>& indices = shape.faces[static_cast<std::size_t>(face)];
+    double nearest = std::numeric_limits<double>::infinity();
+    Vector<3> direction = Vector<3>::Zero();
+    for (std::size_t i = 0; i < indices.size(); ++i)
+    {
+        const Vector<3>& from = shape.vertices[static_cast<std::size_t>(indices[i])];
+        const Vector<3>& to = shape.vertices[static_cast<std::size_t>(indices[(i + 1) % indices.size()])];
+        const Vector<3> side = normal.cross(to - from).normalized();
+        const double distance = std::abs(side.dot(corner - from));
+        if (distance < nearest)
+        {
+            nearest = distance;
+            direction = (to - from).normalized();
+        }
+    }
+    return direction;
+}
+
+Vector<3> faceNormal(const Polyhedron& shape, int face)
+{
+    return areaVector(shape, shape.faces[static_cast<std::size_t>(face)]).normalized();
+}
+
+/// Of two edges that cross: across both of them. Edges that are nearly parallel have no such direction.
+Vector<3> acrossEdges(const Vector<3>& one, const Vector<3>& other, const Vector<3>& between)
+{
+    constexpr double parallel = 1e-3;
+    const Vector<3> across = one.cross(other);
+    return across.norm() > parallel ? Vector<3>(std::copysign(1.0, across.dot(between)) * across.normalized())
+                                    : between;
+}
+
 } // namespace
 
 PushoverContacts<3>::PushoverContacts(const Assembly<3>& assembly)
@@ -78,6 +137,7 @@ std::vector<ContactPoint<3>> PushoverContacts<3>::update(const std::vector<Place
     tolerance.straight = 1e-6 * size;
     tolerance.leastLength = 1e-6 * size;
     std::vector<ContactPoint<3>> points;
+    touches.clear();
     int joint = 0;
     for (const FacingPatch& patch : findFacingPatches(now, tolerance))
     {
@@ -91,31 +151,77 @@ std::vector<ContactPoint<3>> PushoverContacts<3>::update(const std::vector<Place
         {
             points.push_back({patch.block, patch.neighbour, joint, patch.corners[corner], patch.normal,
                               patch.gaps[corner], ContactFeature{}});
+            touches.push_back(setTouch(now, patch, tolerance.leastLength, points.back()));
         }
         ++joint;
     }
     return points;
 }
 
+PushoverContacts<3>::Touch PushoverContacts<3>::setTouch(const Assembly<3>& now, const FacingPatch& patch,
+                                                         double tolerance, ContactPoint<3>& point)
+{
+    const Polyhedron& own = now.blocks[static_cast<std::size_t>(patch.block)].shape;
+    const Polyhedron& other = now.blocks[static_cast<std::size_t>(patch.neighbour)].shape;
+    const Vector<3>* const ofBlock = vertexAcross(own, patch.face, point.position, patch.normal, tolerance);
+    const Vector<3>* const ofNeighbour =
+        vertexAcross(other, patch.neighbourFace, point.position, patch.normal, tolerance);
+    Touch touch = Touch::both;
+    if (ofBlock && !ofNeighbour)
+    {
+        touch = Touch::cornerOfBlock;
+        point.position = *ofBlock;
+        point.normal = faceNormal(other, patch.neighbourFace);
+    }
+    else if (ofNeighbour && !ofBlock)
+    {
+        touch = Touch::cornerOfNeighbour;
+        point.position = *ofNeighbour;
+        point.normal = -faceNormal(own, patch.face);
+    }
+    else if (!ofBlock)
+    {
+        point.normal =
+            acrossEdges(edgeAcross(own, patch.face, point.position, patch.normal),
+                        edgeAcross(other, patch.neighbourFace, point.position, patch.normal), patch.normal);
+    }
+    point.gap *= point.normal.dot(patch.normal); // was along that of the patch
+    return touch;
+}
+
 void PushoverContacts<3>::measure(const std::vector<Placement<3>>& placements,
                                   std::vector<ContactPoint<3>>& points) const
 {
-    for (ContactPoint<3>& point : points)
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
-        Vector<3> position = Vector<3>::Zero();
-        Vector<3> normal = Vector<3>::Zero();
-        for (const int index : {point.block, point.neighbour})
+        ContactPoint<3>& point = points[i];
+        std::array<Vector<3>, 2> positions;
+        std::array<Vector<3>, 2> normals;
+        for (const auto& [side, index] : {std::pair(0, point.block), std::pair(1, point.neighbour)})
         {
             const auto block = static_cast<std::size_t>(index);
             const Vector<3> before = centres[block] + lastPlacements[block].translation;
             const Eigen::Matrix3d turn =
                 matrixOf(placements[block].rotation) * matrixOf(lastPlacements[block].rotation).transpose();
-            position +=
-                (centres[block] + placements[block].translation + turn * (point.position - before)) / 2;
-            normal += turn * point.normal;
+            positions[side] =
+                centres[block] + placements[block].translation + turn * (point.position - before);
+            normals[side] = turn * point.normal;
         }
-        point.position = position;
-        point.normal = normal.normalized();
+        switch (touches[i])
+        {
+        case Touch::cornerOfBlock:
+            point.position = positions[0];
+            point.normal = normals[1];
+            break;
+        case Touch::cornerOfNeighbour:
+            point.position = positions[1];
+            point.normal = normals[0];
+            break;
+        case Touch::both:
+            point.position = (positions[0] + positions[1]) / 2;
+            point.normal = (normals[0] + normals[1]).normalized();
+            break;
+        }
     }
 }
 
