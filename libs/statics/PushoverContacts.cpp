@@ -1,7 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// In space patches are found anew where blocks are now; those too deep are of the far side and left out.
+/// In the plane corners at one place are kept; in space patches are found anew where blocks are now, and
+/// those too deep are of the far side and left out.
 #include "statics/PushoverContacts.h"
 
+#include "contact/EdgeNormal.h"
 #include "contact/space/FacingPatches.h"
 
 #include <Eigen/Geometry>
@@ -105,7 +107,91 @@ Vector<3> acrossEdges(const Vector<3>& one, const Vector<3>& other, const Vector
                                     : between;
 }
 
+/// Corner and edge of a point of the plane.
+struct CornerAndEdge
+{
+    Vector<2> corner = Vector<2>::Zero();
+    Vector<2> from = Vector<2>::Zero(); ///< ends of the edge
+    Vector<2> to = Vector<2>::Zero();
+    bool isOfBlock = true; ///< the corner
+
+    /// Whether the corner is at an end of the edge.
+    bool isAtEnd(double distance) const
+    {
+        return std::min((corner - from).norm(), (corner - to).norm()) <= distance;
+    }
+};
+
+CornerAndEdge cornerAndEdgeOf(const Assembly<2>& asBuilt, const std::vector<Placement<2>>& placements,
+                              const ContactPoint<2>& point)
+{
+    const auto cornersOf = [&](int block)
+    {
+        const auto index = static_cast<std::size_t>(block);
+        return placedCorners(asBuilt.blocks[index], placements[index]);
+    };
+    CornerAndEdge found;
+    found.isOfBlock = point.feature.vertexBlock == point.block;
+    const auto corners = cornersOf(found.isOfBlock ? point.block : point.neighbour);
+    const auto outline = cornersOf(found.isOfBlock ? point.neighbour : point.block);
+    const auto edge = static_cast<std::size_t>(point.feature.edge);
+    found.corner = corners[static_cast<std::size_t>(point.feature.vertex)];
+    found.from = outline[edge];
+    found.to = outline[(edge + 1) % outline.size()];
+    return found;
+}
+
+/// Sets position, normal and gap.
+void setPoint(const CornerAndEdge& now, ContactPoint<2>& point)
+{
+    const Vector<2> outward = outwardNormal((now.to - now.from).normalized());
+    point.position = now.corner;
+    point.normal = now.isOfBlock ? outward : Vector<2>(-outward);
+    point.gap = outward.dot(now.corner - now.from);
+}
+
 } // namespace
+
+PushoverContacts<2>::PushoverContacts(const Assembly<2>& assembly)
+    : asBuilt(assembly), contacts(assembly), onePlace(1e-5 * meanBlockSize(assembly))
+{
+}
+
+std::vector<ContactPoint<2>> PushoverContacts<2>::update(const std::vector<Placement<2>>& placements,
+                                                         double margin)
+{
+    std::vector<ContactPoint<2>> points = contacts.update(placements, margin);
+    kept.clear();
+    for (ContactPoint<2>& point : lastPoints)
+    {
+        const CornerAndEdge now = cornerAndEdgeOf(asBuilt, placements, point);
+        const auto isThere = [&](const ContactPoint<2>& other)
+        {
+            return other.block == point.block && other.neighbour == point.neighbour
+                   && (other.position - now.corner).norm() <= onePlace;
+        };
+        if (now.isAtEnd(onePlace) && std::none_of(points.begin(), points.end(), isThere))
+        {
+            setPoint(now, point);
+            point.joint = points.empty() ? 0 : points.back().joint + 1;
+            points.push_back(point);
+            kept.push_back(point);
+        }
+    }
+    lastPoints = points;
+    return points;
+}
+
+void PushoverContacts<2>::measure(const std::vector<Placement<2>>& placements,
+                                  std::vector<ContactPoint<2>>& points) const
+{
+    contacts.measure(placements, points);
+    for (ContactPoint<2> point : kept)
+    {
+        setPoint(cornerAndEdgeOf(asBuilt, placements, point), point);
+        points.push_back(point);
+    }
+}
 
 PushoverContacts<3>::PushoverContacts(const Assembly<3>& assembly)
     : asBuilt(assembly), lastPlacements(assembly.blocks.size())
@@ -166,14 +252,14 @@ PushoverContacts<3>::Touch PushoverContacts<3>::setTouch(const Assembly<3>& now,
     const Vector<3>* const ofBlock = vertexAcross(own, patch.face, point.position, patch.normal, tolerance);
     const Vector<3>* const ofNeighbour =
         vertexAcross(other, patch.neighbourFace, point.position, patch.normal, tolerance);
-    Touch touch = Touch::both;
-    if (ofBlock && !ofNeighbour)
+    Touch touch = Touch::edges;
+    if (ofBlock) // also where corners of both are at one place, as in the plane
     {
         touch = Touch::cornerOfBlock;
         point.position = *ofBlock;
         point.normal = faceNormal(other, patch.neighbourFace);
     }
-    else if (ofNeighbour && !ofBlock)
+    else if (ofNeighbour)
     {
         touch = Touch::cornerOfNeighbour;
         point.position = *ofNeighbour;
@@ -217,7 +303,7 @@ void PushoverContacts<3>::measure(const std::vector<Placement<3>>& placements,
             point.position = positions[1];
             point.normal = normals[0];
             break;
-        case Touch::both:
+        case Touch::edges:
             point.position = (positions[0] + positions[1]) / 2;
             point.normal = (normals[0] + normals[1]).normalized();
             break;

@@ -16,28 +16,28 @@ struct FacingPatch;
 template<int Dim>
 class PushoverContacts;
 
-/// Corners against edges (contact/MovingContacts.h).
+/// Corners against edges (contact/MovingContacts.h). Corners of two blocks at one place, which are left alone
+/// there, touch each other as long as they did in the position before: so a lintel stays on a column of which
+/// the corner that carries it is at the lintel's end.
 template<>
 class PushoverContacts<2>
 {
 public:
-    explicit PushoverContacts(const Assembly<2>& assembly) : contacts(assembly) {}
+    explicit PushoverContacts(const Assembly<2>& assembly);
 
     /// Points with gaps up to `margin` [m], where the blocks are placed.
-    std::vector<ContactPoint<2>> update(const std::vector<Placement<2>>& placements, double margin)
-    {
-        return contacts.update(placements, margin);
-    }
+    std::vector<ContactPoint<2>> update(const std::vector<Placement<2>>& placements, double margin);
     /// The points of the last update, were the blocks placed so; their gaps change too.
-    void measure(const std::vector<Placement<2>>& placements, std::vector<ContactPoint<2>>& points) const
-    {
-        contacts.measure(placements, points);
-    }
+    void measure(const std::vector<Placement<2>>& placements, std::vector<ContactPoint<2>>& points) const;
     /// None: corners against edges are all there is.
     Penetration missed(const std::vector<Placement<2>>&) const { return {}; }
 
 private:
+    Assembly<2> asBuilt;
     MovingContacts<2> contacts;
+    double onePlace; ///< corners that are this near to each other are at one place [m]
+    std::vector<ContactPoint<2>> lastPoints;
+    std::vector<ContactPoint<2>> kept; ///< the last of these, which `contacts` does not know
 };
 
 /// The corners of the patches where faces of two blocks face each other, turned from each other by up to 50
@@ -64,7 +64,7 @@ private:
     {
         cornerOfBlock,     ///< and a face of the neighbour
         cornerOfNeighbour, ///< and a face of the block
-        both               ///< two edges that cross, or two corners
+        edges              ///< that cross each other
     };
 
     /// Finds what meets at a corner of a patch, and sets position, normal and gap of the point by it.
