@@ -3,6 +3,7 @@
 /// those too deep are of the far side and left out.
 #include "statics/PushoverContacts.h"
 
+#include "assembly/BlockShape.h"
 #include "contact/EdgeNormal.h"
 #include "contact/space/FacingPatches.h"
 
