@@ -99,7 +99,7 @@ FunctionList<Dim>::FunctionList(const Dictionary& dictionary, const std::filesys
             continue;
         }
         const std::string& name = entry.keyword();
-        if (entry.isPattern() || name.find('/') != std::string::npos)
+        if (entry.isPattern() || name.find('/') != std::string::npos || name == "." || name == "..")
         {
             throw FatalIOError("The name of a function is that of its folder: a word, not \"" + name + "\".",
                                entry.location());

@@ -6,6 +6,7 @@
 #include "core/WholeFile.h"
 #include "functionObjects/EarlierResults.h"
 #include "functionObjects/LoadMeaning.h"
+#include "io/MechanismPicture.h"
 #include "quantities/LimitAnalysisFigures.h"
 
 #include <fmt/format.h>
@@ -49,11 +50,13 @@ std::string thrustText(const std::vector<ContactPoint<2>>& points, const std::ve
         { return direction.dot(points[i].position - from); };
         const Vector<2> first = points[begin].position;
         Vector<2> force = Vector<2>::Zero();
+        double size = 0;
         double lower = 0;
         double upper = 0;
         for (end = begin; end < points.size() && points[end].joint == points[begin].joint; ++end)
         {
             force += forces[end];
+            size += forces[end].norm();
             lower = std::min(lower, along(end, first));
             upper = std::max(upper, along(end, first));
         }
@@ -67,7 +70,7 @@ std::string thrustText(const std::vector<ContactPoint<2>>& points, const std::ve
         {
             continue;
         }
-        const double eccentricity = force.x() != 0 ? moment / force.x() : 0;
+        const double eccentricity = hasCentreOfPressure(force.x(), size) ? moment / force.x() : 0;
         const Vector<2> pressure = middle + eccentricity * direction;
         text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {} {}\n", pressure.x(), pressure.y(),
                             force.x(), force.y(), moment, eccentricity, points[begin].block,
@@ -89,18 +92,23 @@ std::string thrustText(const std::vector<ContactPoint<3>>& points, const std::ve
     {
         Vector<3> force = Vector<3>::Zero();
         Vector<3> centre = Vector<3>::Zero();
+        Vector<3> middle = Vector<3>::Zero();
         double pressure = 0;
+        double size = 0;
         for (end = begin; end < points.size() && points[end].joint == points[begin].joint; ++end)
         {
             force += contactFrame(points[end]) * forces[end];
             centre += forces[end].x() * points[end].position;
+            middle += points[end].position;
             pressure += forces[end].x();
+            size += forces[end].norm();
         }
-        if (force.norm() <= 1e-6 * largest || !(pressure > 0))
+        if (force.norm() <= 1e-6 * largest)
         {
             continue;
         }
-        centre /= pressure;
+        centre = hasCentreOfPressure(pressure, size) ? Vector<3>(centre / pressure)
+                                                     : Vector<3>(middle / static_cast<double>(end - begin));
         double torsion = 0;
         for (std::size_t i = begin; i < end; ++i)
         {

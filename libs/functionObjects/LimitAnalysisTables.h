@@ -19,12 +19,14 @@ std::string tableText(const LimitAnalysisCase<Dim>& structure, const std::vector
 
 /// thrust.dat: stress resultants of each joint about its middle, normal and shear force on the first block,
 /// moment (positive where the pressure lies towards the joint's tangent), and the centre of pressure, where
-/// the line of thrust passes. Joints that carry nothing are left out.
+/// the line of thrust passes; the middle of a joint without normal force. Joints that carry nothing are left
+/// out.
 /// \param points those of one joint follow each other \param forces (normal, tangent) of each [N]
 std::string thrustText(const std::vector<ContactPoint<2>>& points, const std::vector<Vector<2>>& forces);
 
-/// The same in space: force on the first block at the centre of pressure, its parts normal and tangential to
-/// the joint, and the moment about the normal through the centre.
+/// The same in space: force on the first block at the centre of pressure, or of pull, its parts normal and
+/// tangential to the joint, and the moment about the normal through the centre. Without normal force it is at
+/// the mean of the joint's points, and what bends the joint is not in the table.
 std::string thrustText(const std::vector<ContactPoint<3>>& points, const std::vector<Vector<3>>& forces);
 
 /// A multiplier with six decimals; one that is rounded to zero has no sign.

@@ -26,14 +26,16 @@ std::vector<JointForce<Dim>> jointForces(const std::vector<ContactPoint<Dim>>& p
         joint.block = points[begin].block;
         joint.neighbour = points[begin].neighbour;
         double pressure = 0;
+        double size = 0;
         std::size_t i = begin;
         for (; i < points.size() && points[i].joint == points[begin].joint; ++i)
         {
             joint.force += contactFrame(points[i]) * forces[i];
             joint.centre += forces[i].x() * points[i].position;
             pressure += forces[i].x();
+            size += forces[i].norm();
         }
-        if (pressure > 0)
+        if (pressure > 0 && hasCentreOfPressure(pressure, size))
         {
             joint.centre /= pressure;
             joints.push_back(joint);

@@ -6,6 +6,7 @@
 #include "io/JointMarks.h"
 #include "io/PictureFile.h"
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -31,6 +32,14 @@ struct JointForce
     int block = -1;                           ///< the first
     int neighbour = -1;                       ///< the other
 };
+
+/// Whether a joint has a centre of pressure: where it bends or shears without a normal force, what rounding
+/// leaves of this is no lever. \param normalForce of the joint [N] \param size of the forces at its points,
+/// added up [N]
+inline bool hasCentreOfPressure(double normalForce, double size)
+{
+    return std::abs(normalForce) > 1e-8 * size;
+}
 
 /// Resultant and centre of pressure of each joint that carries a load.
 /// \param points points of one joint follow each other

@@ -249,6 +249,16 @@ TEST_F(FunctionListTest, WhatIsWrongIsSaidBeforeTheRun)
     EXPECT_FALSE(std::filesystem::exists(folder));
 }
 
+TEST_F(FunctionListTest, NoFolderButItsOwnIsAName)
+{
+    for (const std::string name : {"..", ".", "\"a/b\""})
+    {
+        EXPECT_THAT(refusal(name + " { type energy; }"), HasSubstr("is that of its folder: a word, not"))
+            << name;
+    }
+    EXPECT_EQ(refusal("a.b { type energy; } ... { type energy; }"), "");
+}
+
 TEST_F(FunctionListTest, ChosenTimesAreWrittenAtTheNearestStepAndOnceEach)
 {
     assembly.blocks = {{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1, -1}, {{{1, 0}, {2, 0}, {2, 1}, {1, 1}}, 1, -1}};

@@ -7,8 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace drystone
 {
@@ -73,6 +76,15 @@ TEST(PushoverInSpace, OfABoxPushedAskewTurnsAboutAnEdge)
     }
 }
 
+TEST(PushoverInSpace, OfBoxesThatNoLiveLoadMovesIsWithoutLimit)
+{
+    const Assembly<3> assembly =
+        onGround({makeBox({0, 0, 0}, {0.3, 0.4, 0.5}), makeBox({0, 0, 0.5}, {0.3, 0.4, 1})});
+    const Pushover pushover = push(assembly, 0.7, {0.1, 0.2, -1}, {.step = 0.01});
+    EXPECT_EQ(pushover.end, PushoverEnd::unbounded);
+    EXPECT_TRUE(pushover.curve.empty());
+}
+
 TEST(PushoverInSpace, OfABoxThatSlidesNeverEnds)
 {
     const Pushover pushover = push(onGround({makeBox({0, 0, 0}, {0.5, 0.5, 0.5})}), 0.1, {1, 0, 0},
@@ -124,51 +136,85 @@ TEST(PushoverInSpace, EndsWhereBlocksMeetWithoutAContact)
     }
 }
 
+/// Left, bottom, right, top.
+using Rectangle = std::array<double, 4>;
+
+/// The curve of rectangles of the plane, pushed to the right, and that of them with depths. \param inset of
+/// the last block, on both sides of a depth of 0.7
+std::pair<Pushover, Pushover> curvesOf(const std::vector<Rectangle>& blocks, double mu,
+                                       const PushoverSettings& settings, double inset = 0)
+{
+    Assembly<2> plane;
+    std::vector<Polyhedron> shapes;
+    for (const auto& [left, bottom, right, top] : blocks)
+    {
+        plane.blocks.push_back({{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, 1, -1});
+        const double from = plane.blocks.size() == blocks.size() ? inset : 0;
+        shapes.push_back(makeBox({left, from, bottom}, {right, 0.7 - from, top}));
+    }
+    plane.blocks.push_back({{{-9, -1}, {9, -1}, {9, 0}, {-9, 0}}, 1, 0});
+    plane.supports = {{"ground", "ground"}};
+    std::vector<double> masses;
+    for (const BlockMass<2>& block : blockMasses(plane))
+    {
+        masses.push_back(block.volume);
+    }
+    masses[blocks.size() - 1] *= (0.7 - 2 * inset) / 0.7;
+    const LoadVectors loads{gravityLoad(plane, masses, {0, -1}),
+                            inertialLoad(plane, masses, {0, -1}, {1, 0})};
+    return {solvePushover<2>({plane, mu, loads}, settings, {},
+                             [](const CapacityPoint&, const std::vector<Placement<2>>&) {}),
+            push(onGround(shapes), mu, {1, 0, 0}, settings)};
+}
+
+/// The multiplier of a curve at a displacement, straight between its points.
+double multiplierAt(const Pushover& pushover, double displacement)
+{
+    const auto after = std::find_if(pushover.curve.begin() + 1, pushover.curve.end() - 1,
+                                    [displacement](const CapacityPoint& point)
+                                    { return point.displacement >= displacement; });
+    const auto before = after - 1;
+    const double share = (displacement - before->displacement) / (after->displacement - before->displacement);
+    return before->alpha + share * (after->alpha - before->alpha);
+}
+
 // Two columns under a lintel, and a tower of three blocks: one mechanism each.
 TEST(PushoverInSpace, OfAnExtrudedStructureIsThatOfThePlane)
 {
-    using Rectangle = std::array<double, 4>; // left, bottom, right, top
     for (const std::vector<Rectangle>& blocks :
          {std::vector<Rectangle>{{0, 0, 0.4, 1.5}, {2, 0, 2.4, 1.5}, {-0.2, 1.5, 2.6, 1.9}},
           std::vector<Rectangle>{{0, 0, 0.9, 0.5}, {0.1, 0.5, 0.8, 1.2}, {0.2, 1.2, 0.6, 2}}})
     {
-        Assembly<2> plane;
-        std::vector<Polyhedron> shapes;
-        for (const auto& [left, bottom, right, top] : blocks)
-        {
-            plane.blocks.push_back({{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, 1, -1});
-            shapes.push_back(makeBox({left, 0, bottom}, {right, 0.7, top}));
-        }
-        plane.blocks.push_back({{{-9, -1}, {9, -1}, {9, 0}, {-9, 0}}, 1, 0});
-        plane.supports = {{"ground", "ground"}};
-        std::vector<double> masses;
-        for (const BlockMass<2>& block : blockMasses(plane))
-        {
-            masses.push_back(block.volume);
-        }
-        const LoadVectors loads{gravityLoad(plane, masses, {0, -1}),
-                                inertialLoad(plane, masses, {0, -1}, {1, 0})};
-        const PushoverSettings settings{.step = 0.01};
-        const Pushover expected = solvePushover<2>(
-            {plane, 0.7, loads}, settings, {}, [](const CapacityPoint&, const std::vector<Placement<2>>&) {});
-        const Pushover found = push(onGround(shapes), 0.7, {1, 0, 0}, settings);
+        const auto [expected, found] = curvesOf(blocks, 0.7, {.step = 0.01});
         EXPECT_EQ(found.end, expected.end);
         ASSERT_GT(expected.curve.size(), 20U);
         EXPECT_NEAR(found.curve.back().displacement, expected.curve.back().displacement, 1e-4);
         // Corners are farther from the mass centres in space, so that its steps are others.
-        std::size_t next = 1;
         for (const CapacityPoint& point : expected.curve)
         {
-            while (next + 1 < found.curve.size() && found.curve[next].displacement < point.displacement)
-            {
-                ++next;
-            }
-            const CapacityPoint& before = found.curve[next - 1];
-            const CapacityPoint& after = found.curve[next];
-            const double share =
-                (point.displacement - before.displacement) / (after.displacement - before.displacement);
-            EXPECT_NEAR(before.alpha + share * (after.alpha - before.alpha), point.alpha, 1e-4)
-                << point.displacement;
+            EXPECT_NEAR(multiplierAt(found, point.displacement), point.alpha, 1e-4) << point.displacement;
+        }
+    }
+}
+
+// A lintel lies on a column that leans, on the far edge of its top: what this may shear by is measured from
+// the face of the lintel, and not from a plane between the faces, 0.2 rad off at the end, which let the
+// lintel hold the column up for another 0.05 m.
+TEST(PushoverInSpace, OfAColumnThatSlipsFromUnderItsLintelIsThatOfThePlane)
+{
+    for (const double inset : {0.0, 0.1, -0.1}) // its corners, or edges that cross
+    {
+        const auto [expected, found] =
+            curvesOf({{0, 0, 0.26, 1.07}, {1.9, 0, 2.39, 1.07}, {-0.05, 1.07, 2.49, 1.37}}, 0.4,
+                     {.step = 0.002}, inset);
+        EXPECT_EQ(found.end, expected.end);
+        const double end = expected.curve.back().displacement;
+        EXPECT_GT(end, 0.2);
+        EXPECT_NEAR(found.curve.back().displacement, end, 0.002) << inset;
+        for (double displacement = 0.01; displacement < 0.95 * end; displacement += 0.01)
+        {
+            EXPECT_NEAR(multiplierAt(found, displacement), multiplierAt(expected, displacement), 5e-4)
+                << inset << ' ' << displacement;
         }
     }
 }

@@ -183,3 +183,44 @@ TEST(Pushover, OfWhatTheLiveLoadHoldsUpHasNoPosition)
         EXPECT_TRUE(pushover.curve.empty()) << sense;
     }
 }
+
+TEST(Pushover, OfWhatNoLiveLoadMovesIsWithoutLimit)
+{
+    // Pressed onto the ground, blocks that are not yet at what is two courses farther carry any load.
+    Assembly<2> assembly;
+    assembly.supports = {{"ground", "ground"}};
+    assembly.blocks = {rectangle(0, 0, 0.3, 0.5), rectangle(0, 0.5, 0.3, 1), rectangle(-5, -1, 5, 0, 0)};
+    const WeighedStructure structure(std::move(assembly));
+    LoadVectors loads = structure.weightLoads();
+    loads.live = loads.dead;
+    loads.firstMomentsOfLive = loads.firstMomentsOfDead;
+    for (const double step : {0.1, 1e-4})
+    {
+        const Pushover pushover = push(structure, 0.7, {.step = step}, loads);
+        EXPECT_EQ(pushover.end, PushoverEnd::unbounded) << step;
+        EXPECT_TRUE(pushover.curve.empty()) << step;
+    }
+}
+
+TEST(Pushover, OfAPortalWhoseLintelEndsWithItsColumns)
+{
+    // Columns that turn by psi below their critical angle carry the lintel on corners that meet its own:
+    // alpha = tan psi, also where they lean by more than 15 degrees.
+    Assembly<2> assembly;
+    assembly.supports = {{"ground", "ground"}};
+    assembly.blocks = {rectangle(0, 0, 0.5, 1), rectangle(1.5, 0, 2, 1), rectangle(0, 1, 2, 1.2),
+                       rectangle(-5, -1, 5, 0, 0)};
+    const WeighedStructure structure(std::move(assembly));
+    const double mean = 0.9 / 1.4; // of what the lintel moves by: columns 0.5 and 0.5, lintel 0.4
+    for (const double step : {0.01, 0.002})
+    {
+        const Pushover pushover = push(structure, 0.9, {.step = step});
+        EXPECT_EQ(pushover.end, PushoverEnd::overturned);
+        for (const CapacityPoint& point : pushover.curve)
+        {
+            const double psi = std::asin((0.5 - point.displacement / mean) / std::sqrt(1.25));
+            EXPECT_NEAR(point.alpha, std::tan(psi), 1e-4) << step << ' ' << point.displacement;
+        }
+        EXPECT_NEAR(pushover.curve.back().displacement, 0.5 * mean, 1e-4) << step;
+    }
+}

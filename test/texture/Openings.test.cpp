@@ -145,6 +145,13 @@ TEST(Openings, AnOpeningThatEndsWithinAJunctionIsRefusedWhereTheOtherWallRunsThr
         report<3>(corner("{ wall side; from (0.2 1); to (1 3); }")),
         HasSubstr("junction with wall front, which takes 0 to 0.5 bricks of wall side and runs through "
                   "in course 2"));
+    // Walls at an angle, whose ends miss each other by rounding.
+    EXPECT_THAT(
+        report<3>("dimensions 3; texture { type walls; unit (0.4 0.2 0.2); courses 6; walls { front { "
+                  "from (0 0); direction (-0.8 0.6); length 4; } side { from (0 0); direction (-0.6 "
+                  "-0.8); length 3; thickness right; } } openings ({ wall side; from (0.2 1); to (1 "
+                  "3); }); }"),
+        HasSubstr("which takes 0 to 0.5 bricks of wall side"));
     // In a course of its own the wall's brick is cut at the jamb.
     EXPECT_EQ(report<3>(tee("{ wall a; from (1 2); to (2 3); }")), "no error");
     EXPECT_EQ(report<3>(tee("{ wall a; from (1 2); to (1.75 4); }")), "no error");

@@ -76,13 +76,13 @@ inline bool runsOff(int iterations, double displacement, double force, double ba
     return isLost || std::abs(multiplier) > far || displacement > far || force > far * loads;
 }
 
-/// The balance of a program's live load alone.
+/// The balance of a program's live load alone. With its gaps, as what forces at points apart would cost
+/// there.
 template<int Rows, int Forces>
 ConeProgram<Rows, Forces> liveLoadAlone(ConeProgram<Rows, Forces> program)
 {
     program.load = program.liveLoad;
     program.liveLoad.resize(0);
-    program.gap.resize(0);
     return program;
 }
 

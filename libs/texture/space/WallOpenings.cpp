@@ -34,6 +34,13 @@ Interval jambsOf(const Walls& settings, const WallOpening& opening, double beari
     return {(opening.from.x() - bearing) * settings.unit.x(), (opening.to.x() + bearing) * settings.unit.x()};
 }
 
+/// A length for messages, without what rounding leaves of zero.
+double inBricks(double length, const Walls& settings)
+{
+    constexpr double rounding = 1e-9;
+    return std::round(length / settings.unit.x() / rounding) * rounding + 0.0; // which turns -0 into 0
+}
+
 bool covers(const Interval& whole, const Interval& part, double tolerance)
 {
     return whole.from <= part.from + tolerance && whole.to >= part.to - tolerance;
@@ -81,7 +88,6 @@ std::string placeFault(const Walls& settings, const WallOpening& opening, double
 std::string junctionFault(const Walls& settings, const Plan& plan, int wall, const WallOpening& opening)
 {
     const double tolerance = planTolerance(settings);
-    const double unit = settings.unit.x();
     const Interval jambs = jambsOf(settings, opening);
     for (const WallCrossing& crossing : plan.crossings[wall])
     {
@@ -94,7 +100,8 @@ std::string junctionFault(const Walls& settings, const Plan& plan, int wall, con
                                "of wall {} and runs through in course {:g}. End the opening before the "
                                "junction, or let it go over the whole of it.",
                                cornersOf(opening), settings.walls[crossing.other].first,
-                               crossing.along.from / unit, crossing.along.to / unit, opening.wall, through);
+                               inBricks(crossing.along.from, settings), inBricks(crossing.along.to, settings),
+                               opening.wall, through);
         }
     }
     return {};
@@ -108,7 +115,6 @@ std::string lintelJunctionFault(const Walls& settings, const Plan& plan, int wal
         return {};
     }
     const double tolerance = planTolerance(settings);
-    const double unit = settings.unit.x();
     const double course = opening.to.y();
     const Interval lintel = jambsOf(settings, opening, *opening.lintel);
     for (const WallCrossing& crossing : plan.crossings[wall])
@@ -119,8 +125,9 @@ std::string lintelJunctionFault(const Walls& settings, const Plan& plan, int wal
                    + fmt::format(", and there wall {} runs through from {:g} to {:g}. Let the opening end a "
                                  "course higher or lower, where wall {} does, or keep the lintel out of the "
                                  "junction.",
-                                 settings.walls[crossing.other].first, crossing.along.from / unit,
-                                 crossing.along.to / unit, opening.wall);
+                                 settings.walls[crossing.other].first,
+                                 inBricks(crossing.along.from, settings),
+                                 inBricks(crossing.along.to, settings), opening.wall);
         }
     }
     const auto holes = junctionHoles(settings, plan.walls, plan.crossings);
@@ -131,7 +138,7 @@ std::string lintelJunctionFault(const Walls& settings, const Plan& plan, int wal
             return lintelText(opening, "bricks")
                    + fmt::format(", and there an opening of the wall that it meets is cut from {:g} to {:g}. "
                                  "Move one of the openings, or keep the lintel out of the junction.",
-                                 hole.along.from / unit, hole.along.to / unit);
+                                 inBricks(hole.along.from, settings), inBricks(hole.along.to, settings));
         }
     }
     return {};
