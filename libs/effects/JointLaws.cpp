@@ -117,13 +117,15 @@ std::string alternativeWithoutJoint(const std::string& pattern, const std::vecto
                                     const std::vector<std::string>& sides)
 {
     std::string mistyped = alternativeWithoutName(pattern, names);
+    std::vector<std::string> namesAndSides = names; // brackets may stand around either
+    namesAndSides.insert(namesAndSides.end(), sides.begin(), sides.end());
     for (std::size_t begin = pattern.find('('); mistyped.empty() && begin != std::string::npos;
          begin = pattern.find('(', begin + 1))
     {
         const std::size_t end = pattern.find_first_of("()", begin + 1);
         if (end != std::string::npos && pattern[end] == ')')
         {
-            mistyped = alternativeWithoutName(pattern.substr(begin + 1, end - begin - 1), sides);
+            mistyped = alternativeWithoutName(pattern.substr(begin + 1, end - begin - 1), namesAndSides);
         }
     }
     return mistyped;

@@ -118,11 +118,14 @@ TEST_F(JointLaws, WarnOfANameWithinAPatternThatNoJointHas)
     assembly.zones = {{"shaft", {0}}, {"base", {1}}};
     EXPECT_EQ(warnings("0-1|0-ground"), "");
     EXPECT_EQ(warnings("(shaft|base)-ground"), "");
+    EXPECT_EQ(warnings("(0-1|0-ground)"), "") << "whole names in brackets were said not to exist";
+    EXPECT_EQ(warnings("((0-1|ground-0)|(shaft|base)-ground)"), "");
     EXPECT_EQ(warnings("(shaft|base)-.*|7-.*"), "") << "not of names alone";
     EXPECT_THAT(warnings("0-1|shatf-ground"),
                 testing::AllOf(testing::HasSubstr("no joint shatf-ground. Did you mean shaft-ground?"),
                                testing::HasSubstr("at line 4")));
     EXPECT_THAT(warnings("(shaft|bsae)-ground"), testing::HasSubstr("no joint bsae. Did you mean base?"));
+    EXPECT_THAT(warnings("(0-1|0-gruond)"), testing::HasSubstr("no joint 0-gruond. Did you mean 0-ground?"));
 }
 
 // The last of the two counted without a word.
