@@ -180,10 +180,9 @@ template<int Dim>
 class Cutting
 {
 public:
-    Cutting(const Assembly<Dim>& ofBlocks, const SpreadAxle<Dim>& ofForce, Choice which)
+    Cutting(const Assembly<Dim>& ofBlocks, const SpreadAxle<Dim>& ofForce)
         : assembly(ofBlocks),
           axle(ofForce),
-          choice(which),
           tolerance(widthOfAJoint(ofBlocks)),
           below(targetsBelow(ofBlocks, ofForce, tolerance))
     {
@@ -236,7 +235,7 @@ private:
         return ray;
     }
 
-    int blockAt(double u, double v) const { return carrierOf(landed(u, v).landing, choice); }
+    int blockAt(double u, double v) const { return carrierOf(landed(u, v).landing); }
 
     std::vector<Cut> cutsOf(double v) const
     {
@@ -321,7 +320,6 @@ private:
 
     const Assembly<Dim>& assembly;
     const SpreadAxle<Dim>& axle;
-    Choice choice;
     double tolerance; ///< the width of a joint [m]
     std::vector<Target<Dim>> below;
     std::vector<Ray<Dim>> found;
@@ -329,11 +327,9 @@ private:
 
 } // namespace
 
-int carrierOf(const Landing& landing, Choice choice)
+int carrierOf(const Landing& landing)
 {
-    return landing.blocks.empty()     ? -1
-           : choice == Choice::lowest ? landing.blocks.front()
-                                      : landing.blocks.back();
+    return landing.blocks.empty() ? -1 : landing.blocks.front();
 }
 
 template<int Dim>
@@ -350,7 +346,7 @@ Landing landingOf(const Assembly<Dim>& assembly, const Vector<Dim>& from, const 
 
 template<int Dim>
 std::vector<Ray<Dim>> raysOf(const Assembly<Dim>& assembly, const MovingLoadSettings<Dim>& settings,
-                             const Vector<Dim>& place, Choice choice)
+                             const Vector<Dim>& place)
 {
     if (settings.spread == 0 && settings.loadedLength == 0 && settings.loadedWidth == 0)
     {
@@ -358,14 +354,14 @@ std::vector<Ray<Dim>> raysOf(const Assembly<Dim>& assembly, const MovingLoadSett
         return {{place, direction, 1, landingOf<Dim>(assembly, place, direction)}};
     }
     const SpreadAxle<Dim> axle(settings, place);
-    return Cutting<Dim>(assembly, axle, choice).rays();
+    return Cutting<Dim>(assembly, axle).rays();
 }
 
 template Landing landingOf(const Assembly<2>& assembly, const Vector<2>& from, const Vector<2>& direction);
 template std::vector<Ray<2>> raysOf(const Assembly<2>& assembly, const MovingLoadSettings<2>& settings,
-                                    const Vector<2>& place, Choice choice);
+                                    const Vector<2>& place);
 template Landing landingOf(const Assembly<3>& assembly, const Vector<3>& from, const Vector<3>& direction);
 template std::vector<Ray<3>> raysOf(const Assembly<3>& assembly, const MovingLoadSettings<3>& settings,
-                                    const Vector<3>& place, Choice choice);
+                                    const Vector<3>& place);
 
 } // namespace drystone
