@@ -17,15 +17,9 @@ struct Landing
     std::vector<int> blocks;
 };
 
-/// Which of the blocks that are met together carries, by its index.
-enum class Choice
-{
-    lowest,
-    highest
-};
-
-/// \return -1 where there is none
-int carrierOf(const Landing& landing, Choice choice);
+/// Of blocks that are met together the one of the lowest index carries a part of a force that is spread; its
+/// share is none. \return -1 where there is none
+int carrierOf(const Landing& landing);
 
 /// A part of an axle's force on its way to the blocks.
 template<int Dim>
@@ -45,6 +39,6 @@ Landing landingOf(const Assembly<Dim>& assembly, const Vector<Dim>& from, const 
 /// path [m]
 template<int Dim>
 std::vector<Ray<Dim>> raysOf(const Assembly<Dim>& assembly, const MovingLoadSettings<Dim>& settings,
-                             const Vector<Dim>& place, Choice choice);
+                             const Vector<Dim>& place);
 
 } // namespace drystone

@@ -68,9 +68,13 @@ bool FillFromAbove<Dim>::reaches(const std::vector<SurfacePiece<Dim>>& pieces) c
     bool isKnown = false;
     for (const SurfacePiece<Dim>& piece : pieces)
     {
-        for (const auto& [place, weight] : quadratureOf(piece))
+        if (piece.weight <= 0)
         {
-            const double opposite = weight > 0 ? firstBlockAlong(every, place, outwards) : 0;
+            continue;
+        }
+        for (const Vector<Dim>& place : placesInside(piece))
+        {
+            const double opposite = firstBlockAlong(every, place, outwards);
             if (opposite > width && (std::isinf(opposite) || isOpenAbove(place, opposite * outwards)))
             {
                 return true;

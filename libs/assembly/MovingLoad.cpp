@@ -22,34 +22,109 @@ double distanceOf(const MovingLoadSettings<Dim>& settings, int place)
     return place * (settings.to - settings.from).norm() / (settings.positions - 1);
 }
 
-/// The load of the axles at a position, each on one of the blocks that it meets.
+/// Offsets of the axles along the path and their factors.
 template<int Dim>
-LoadPosition<Dim> loadAt(const Assembly<Dim>& assembly, const MovingLoadSettings<Dim>& settings,
-                         double distance, Choice choice)
+std::vector<std::pair<double, double>> axlesOf(const MovingLoadSettings<Dim>& settings)
+{
+    return settings.axles.empty() ? std::vector<std::pair<double, double>>{{0, 1}} : settings.axles;
+}
+
+/// An axle at a position, and what it meets.
+template<int Dim>
+struct Axle
+{
+    double factor = 1;
+    Vector<Dim> from = Vector<Dim>::Zero(); ///< on the path [m]
+    std::vector<Ray<Dim>> rays;
+    Landing middle;            ///< of the ray in its middle
+    std::vector<int> carriers; ///< which it may act on, if not spread; -1: what is fixed, or none
+};
+
+/// The blocks that an axle may act on at a joint, in ascending order. Fixed ones are one choice: no load.
+template<int Dim>
+std::vector<int> carriersOf(const Assembly<Dim>& assembly, const Landing& landing)
+{
+    std::vector<int> carriers;
+    for (const int met : landing.blocks)
+    {
+        const int block = assembly.blocks[static_cast<std::size_t>(met)].support >= 0 ? -1 : met;
+        if (std::find(carriers.begin(), carriers.end(), block) == carriers.end())
+        {
+            carriers.push_back(block);
+        }
+    }
+    return carriers.empty() ? std::vector<int>{-1} : carriers;
+}
+
+template<int Dim>
+std::vector<Axle<Dim>> axlesAt(const Assembly<Dim>& assembly, const MovingLoadSettings<Dim>& settings,
+                               const Vector<Dim>& place)
 {
     const Vector<Dim> along = (settings.to - settings.from).normalized();
-    const Vector<Dim> direction = settings.value.normalized();
+    std::vector<Axle<Dim>> axles;
+    for (const auto& [offset, factor] : axlesOf(settings))
+    {
+        Axle<Dim> axle;
+        axle.factor = factor;
+        axle.from = place + offset * along;
+        axle.rays = raysOf(assembly, settings, axle.from);
+        axle.middle = landingOf<Dim>(assembly, axle.from, settings.value.normalized());
+        axle.carriers = carriersOf(assembly, axle.middle);
+        axles.push_back(std::move(axle));
+    }
+    return axles;
+}
+
+/// Which of its carriers each axle acts on, for all choices, the last axle's changing first. Of more than
+/// `most` those alone in which all axles take the first, the second, ... or the last that they have.
+template<int Dim>
+std::vector<std::vector<int>> choicesOf(const std::vector<Axle<Dim>>& axles)
+{
+    constexpr std::size_t most = 64;
+    std::size_t count = 1;
+    std::size_t largest = 1;
+    for (const Axle<Dim>& axle : axles)
+    {
+        largest = std::max(largest, axle.carriers.size());
+        count = std::min(count, most) * axle.carriers.size();
+    }
+    std::vector<std::vector<int>> choices(count <= most ? count : largest);
+    for (std::size_t i = 0; i < choices.size(); ++i)
+    {
+        std::size_t rest = i;
+        for (auto axle = axles.rbegin(); axle != axles.rend(); ++axle)
+        {
+            const std::size_t carriers = axle->carriers.size();
+            choices[i].push_back(axle->carriers[count <= most ? rest % carriers : std::min(i, carriers - 1)]);
+            rest /= carriers;
+        }
+        std::reverse(choices[i].begin(), choices[i].end());
+    }
+    return choices;
+}
+
+/// The load of the axles at a position. \param carriers of each axle; without: those of its rays, as it is
+/// spread
+template<int Dim>
+LoadPosition<Dim> loadOf(const Assembly<Dim>& assembly, const MovingLoadSettings<Dim>& settings,
+                         double distance, const std::vector<Axle<Dim>>& axles,
+                         const std::vector<int>& carriers)
+{
     LoadPosition<Dim> position;
     position.distance = distance;
-    position.place = settings.from + distance * along;
-    std::vector<std::pair<double, double>> axles = settings.axles;
-    if (axles.empty())
-    {
-        axles.emplace_back(0, 1);
-    }
+    position.place = settings.from + distance * (settings.to - settings.from).normalized();
     double met = 0;
     double all = 0;
-    for (const auto& [offset, factor] : axles)
+    for (std::size_t i = 0; i < axles.size(); ++i)
     {
-        all += factor;
-        const Vector<Dim> from = position.place + offset * along;
-        const std::vector<Ray<Dim>> rays = raysOf(assembly, settings, from, choice);
+        const Axle<Dim>& axle = axles[i];
+        all += axle.factor;
         // Parallel forces on a block are one, at their centre.
         std::map<int, std::pair<double, Vector<Dim>>> onBlocks;
         std::vector<int> carrying;
-        for (const Ray<Dim>& ray : rays)
+        for (const Ray<Dim>& ray : axle.rays)
         {
-            const int block = carrierOf(ray.landing, choice);
+            const int block = carriers.empty() ? carrierOf(ray.landing) : carriers[i];
             if (block < 0 || assembly.blocks[block].support >= 0)
             {
                 continue;
@@ -65,18 +140,19 @@ LoadPosition<Dim> loadAt(const Assembly<Dim>& assembly, const MovingLoadSettings
         for (const auto& [block, parts] : onBlocks)
         {
             const Eigen::VectorXd load = pointLoad(assembly, block, Vector<Dim>(parts.second / parts.first),
-                                                   Vector<Dim>(factor * parts.first * settings.value))
+                                                   Vector<Dim>(axle.factor * parts.first * settings.value))
                                              .rows;
-            met += factor * parts.first;
+            met += axle.factor * parts.first;
             position.live = position.live.size() == 0 ? load : Eigen::VectorXd(position.live + load);
         }
         position.blocks.insert(position.blocks.end(), carrying.begin(), carrying.end());
         if (!carrying.empty())
         {
-            const Landing middle = landingOf<Dim>(assembly, from, direction);
-            const int block = carrierOf(middle, choice);
-            position.axles.push_back({block < 0 ? from : Vector<Dim>(from + middle.distance * direction),
-                                      block < 0 ? carrying.front() : block, factor});
+            const int block = carriers.empty() ? carrierOf(axle.middle) : carriers[i];
+            position.axles.push_back(
+                {block < 0 ? axle.from
+                           : Vector<Dim>(axle.from + axle.middle.distance * settings.value.normalized()),
+                 block < 0 ? carrying.front() : block, axle.factor});
         }
     }
     position.beside = 1 - met / all;
@@ -149,17 +225,17 @@ std::vector<LoadPosition<Dim>> movingLoad(const Assembly<Dim>& assembly,
     for (int i = 0; i < settings.positions; ++i)
     {
         const double distance = distanceOf(settings, i);
-        LoadPosition<Dim> lowest = loadAt(assembly, settings, distance, Choice::lowest);
+        const Vector<Dim> place = settings.from + distance * (settings.to - settings.from).normalized();
+        const std::vector<Axle<Dim>> axles = axlesAt(assembly, settings, place);
         // A load that is spread over both sides of a joint is one load.
         const bool isSpread = settings.spread > 0 || settings.loadedLength > 0 || settings.loadedWidth > 0;
-        LoadPosition<Dim> highest =
-            isSpread ? LoadPosition<Dim>() : loadAt(assembly, settings, distance, Choice::highest);
-        const bool isOneOnly = isSpread || lowest.blocks == highest.blocks;
-        for (LoadPosition<Dim>* position : {&lowest, &highest})
+        for (const std::vector<int>& carriers :
+             isSpread ? std::vector<std::vector<int>>(1) : choicesOf(axles))
         {
-            if (!position->blocks.empty() && !(isOneOnly && position == &highest))
+            LoadPosition<Dim> position = loadOf(assembly, settings, distance, axles, carriers);
+            if (!position.blocks.empty())
             {
-                positions.push_back(std::move(*position));
+                positions.push_back(std::move(position));
             }
         }
     }
@@ -179,7 +255,7 @@ std::vector<double> placesWithoutLoad(const std::vector<LoadPosition<Dim>>& posi
         {
             without.push_back(distance);
         }
-        while (next != positions.end() && next->distance == distance) // twice at a joint
+        while (next != positions.end() && next->distance == distance) // several at a joint
         {
             ++next;
         }

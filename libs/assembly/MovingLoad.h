@@ -52,9 +52,10 @@ struct LoadPosition
 };
 
 /// The live load of each position. An axle goes along its force from the path to the first block that is in
-/// its way; on a fixed block, or on none, it loads nothing. Where it meets a joint it may act on either of
-/// the blocks: such a position comes twice, with all axles at joints on the block of the lowest index, then
-/// on that of the highest. Positions that load nothing are left out.
+/// its way; on a fixed block, or on none, it loads nothing. Where it meets a joint it may act on any of the
+/// blocks there: such a position comes once for each, and for each choice of all axles that are at joints;
+/// were these more than 64, all axles take the block of the lowest index, then of the next. Positions that
+/// load nothing are left out.
 ///
 /// With `spread` or `loadedLength` the force of an axle is uniform, at a depth t below the path, over
 /// loadedLength + 2 spread t along the path, and in space over loadedWidth + 2 spread t across it, all of it

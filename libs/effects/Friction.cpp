@@ -73,7 +73,7 @@ FrictionOfJoints frictionOfJoints(const ContactProperties& contact, const Assemb
         return result;
     }
     const std::vector<ContactPoint<Dim>> points = findContactPoints(assembly); // sorted by pairs
-    const std::vector<PointLaw> laws = pointLaws(contact, assembly, points);
+    const std::vector<PointLaw> laws = pointLaws(contact, assembly, points, NewJoints::possible);
     const double ofAll = contact.friction ? contact.friction->mu : 0;
     if (std::none_of(contact.joints.begin(), contact.joints.end(),
                      [ofAll](const auto& joint)

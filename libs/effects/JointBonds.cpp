@@ -54,7 +54,7 @@ std::vector<Bond<Dim>> jointBonds(const ContactProperties& properties, const Ass
         return {};
     }
     const std::vector<ContactPoint<Dim>> points = findContactPoints(assembly);
-    const std::vector<PointLaw> laws = pointLaws(properties, assembly, points);
+    const std::vector<PointLaw> laws = pointLaws(properties, assembly, points, NewJoints::possible);
     std::vector<Bond<Dim>> bonds;
     bonds.reserve(points.size());
     bool isAny = false;

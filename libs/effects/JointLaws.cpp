@@ -117,13 +117,15 @@ std::string alternativeWithoutJoint(const std::string& pattern, const std::vecto
                                     const std::vector<std::string>& sides)
 {
     std::string mistyped = alternativeWithoutName(pattern, names);
+    std::vector<std::string> namesAndSides = names; // brackets may stand around either
+    namesAndSides.insert(namesAndSides.end(), sides.begin(), sides.end());
     for (std::size_t begin = pattern.find('('); mistyped.empty() && begin != std::string::npos;
          begin = pattern.find('(', begin + 1))
     {
         const std::size_t end = pattern.find_first_of("()", begin + 1);
         if (end != std::string::npos && pattern[end] == ')')
         {
-            mistyped = alternativeWithoutName(pattern.substr(begin + 1, end - begin - 1), sides);
+            mistyped = alternativeWithoutName(pattern.substr(begin + 1, end - begin - 1), namesAndSides);
         }
     }
     return mistyped;
@@ -224,6 +226,53 @@ const NamedJoint* entryOf(const ContactProperties& properties, const JointNames&
     return chosen;
 }
 
+/// Whether an entry gives a friction alone to two blocks, one of them free, that it names exactly: where they
+/// do not touch as built they may come to.
+template<int Dim>
+bool isOfLaterJoint(const NamedJoint& entry, const Assembly<Dim>& assembly,
+                    const std::vector<std::vector<std::string>>& zones)
+{
+    const auto& [pattern, joint] = entry;
+    if (!joint.friction || joint.cohesion || joint.tension || joint.crushing)
+    {
+        return false;
+    }
+    const auto blocksOf = [&](const std::string& side)
+    {
+        std::vector<int> blocks;
+        for (int block = 0; block < static_cast<int>(assembly.blocks.size()); ++block)
+        {
+            const auto& in = zones[static_cast<std::size_t>(block)];
+            const int support = assembly.blocks[static_cast<std::size_t>(block)].support;
+            if ((support < 0 ? std::to_string(block) : assembly.supports[support].name) == side
+                || std::find(in.begin(), in.end(), side) != in.end())
+            {
+                blocks.push_back(block);
+            }
+        }
+        return blocks;
+    };
+    for (std::size_t dash = pattern.text.find('-'); dash != std::string::npos;
+         dash = pattern.text.find('-', dash + 1))
+    {
+        const std::vector<int> others = blocksOf(pattern.text.substr(dash + 1));
+        for (const int block : blocksOf(pattern.text.substr(0, dash)))
+        {
+            for (const int other : others)
+            {
+                const bool areFixed = assembly.blocks[static_cast<std::size_t>(block)].support >= 0
+                                      && assembly.blocks[static_cast<std::size_t>(other)].support >= 0;
+                if (block != other && !areFixed
+                    && matchOf(pattern, jointNames(assembly, zones, block, other)) >= Match::zones)
+                {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
 std::vector<JointLaw> lawsOfEffects()
 {
     std::vector<JointLaw> laws;
@@ -275,7 +324,7 @@ std::string jointName(const Assembly<Dim>& assembly, int block, int neighbour)
 template<int Dim>
 std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly<Dim>& assembly,
                                 const std::vector<ContactPoint<Dim>>& points,
-                                const std::vector<double>& areas)
+                                const std::vector<double>& areas, NewJoints newJoints)
 {
     const std::vector<JointLaw> effects = lawsOfEffects();
     std::vector<PointLaw> laws(points.size());
@@ -309,7 +358,9 @@ std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly
     }
     for (std::size_t i = 0; i < contact.joints.size(); ++i)
     {
-        if (!isMatched[i])
+        const bool isLater = newJoints == NewJoints::possible && !points.empty() && !isMatched[i]
+                             && isOfLaterJoint(contact.joints[i], assembly, zones);
+        if (!isMatched[i] && !isLater)
         {
             const std::string& name = contact.joints[i].first.text;
             throw FatalIOError(fmt::format("There is no joint {}. Joints are named by their blocks, as {}, "
@@ -334,12 +385,12 @@ jointsByName(const ContactProperties& contact, const Assembly<2>& assembly);
 template std::string jointName(const Assembly<2>& assembly, int block, int neighbour);
 template std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly<2>& assembly,
                                          const std::vector<ContactPoint<2>>& points,
-                                         const std::vector<double>& areas);
+                                         const std::vector<double>& areas, NewJoints newJoints);
 template std::function<const JointProperties*(int block, int neighbour)>
 jointsByName(const ContactProperties& contact, const Assembly<3>& assembly);
 template std::string jointName(const Assembly<3>& assembly, int block, int neighbour);
 template std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly<3>& assembly,
                                          const std::vector<ContactPoint<3>>& points,
-                                         const std::vector<double>& areas);
+                                         const std::vector<double>& areas, NewJoints newJoints);
 
 } // namespace drystone

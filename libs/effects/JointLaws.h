@@ -47,18 +47,26 @@ std::function<const JointProperties*(int block, int neighbour)> jointsByName(con
 template<int Dim>
 std::string jointName(const Assembly<Dim>& assembly, int block, int neighbour);
 
+/// Whether blocks may come to touch that do not as built: in motion, where `joints` may give them a friction.
+enum class NewJoints
+{
+    none,
+    possible
+};
+
 /// The law of each point: what the effects of the list make of it.
 /// \param areas that each stands for [m2]; without them those of pointAreas
 /// \throws FatalIOError for a name of `joints` that no joint has, or what a joint cannot have
 template<int Dim>
 std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly<Dim>& assembly,
                                 const std::vector<ContactPoint<Dim>>& points,
-                                const std::vector<double>& areas);
+                                const std::vector<double>& areas, NewJoints newJoints = NewJoints::none);
 template<int Dim>
 std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly<Dim>& assembly,
-                                const std::vector<ContactPoint<Dim>>& points)
+                                const std::vector<ContactPoint<Dim>>& points,
+                                NewJoints newJoints = NewJoints::none)
 {
-    return pointLaws(contact, assembly, points, pointAreas(assembly, points));
+    return pointLaws(contact, assembly, points, pointAreas(assembly, points), newJoints);
 }
 
 } // namespace drystone

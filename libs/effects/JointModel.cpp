@@ -72,10 +72,12 @@ EffectType<Dim> jointModelType()
                              "contact points of each joint in space, of limitAnalysis; absent: its corners, "
                              "and with crushing as adaptive. Twisting a joint with cohesion takes more at "
                              "its corners than over its face: then write adaptive");
-            options.optional("joints", contact.joints,
-                             "what some joints have instead: by name, as 3-7 for that of blocks 3 and 7, "
-                             "12-ground for that of block 12 and the support ground, by the zones of both "
-                             "blocks, as footing-shaft, or by quoted pattern");
+            options.optional(
+                "joints", contact.joints,
+                "what some joints have instead: by name, as 3-7 for that of blocks 3 and 7, "
+                "12-ground for that of block 12 and the support ground, by the zones of both "
+                "blocks, as footing-shaft, or by quoted pattern; in motion blocks that come "
+                "to touch later have the friction of their name, zones or pattern, else that of all");
         },
         [](const ContactProperties& contact)
         { return contact.contact && contact.contact->formulation == ContactFormulation::surface; },

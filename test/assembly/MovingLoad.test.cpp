@@ -78,6 +78,68 @@ TEST(MovingLoad, ComesTwiceWhereItMeetsAJoint)
     EXPECT_NEAR(positions[3].live[5], 5, 1e-12);
 }
 
+// At a corner of four blocks those of neither the lowest nor the highest index were left out: a multiplier
+// was nine times too high where one of them was the weakest.
+TEST(MovingLoad, ComesOnEachBlockOfACornerOnce)
+{
+    const Assembly<3> slabs{{{makeBox({-1, -1, 0}, {0, 0, 1}), -1},
+                             {makeBox({0, -1, 0}, {1, 0, 1}), -1},
+                             {makeBox({-1, 0, 0}, {0, 1, 1}), -1},
+                             {makeBox({0, 0, 0}, {1, 1, 1}), -1}},
+                            {}};
+    MovingLoadSettings<3> settings;
+    settings.from = {0, 0, 2};
+    settings.to = {0, 0.5, 2};
+    settings.positions = 2;
+    settings.value = {0, 0, -10};
+    std::vector<LoadPosition<3>> positions = movingLoad(slabs, settings);
+    ASSERT_EQ(positions.size(), 6u);
+    for (int i = 0; i < 4; ++i)
+    {
+        EXPECT_THAT(positions[static_cast<std::size_t>(i)].blocks, ElementsAre(i));
+        EXPECT_EQ(positions[static_cast<std::size_t>(i)].distance, 0);
+    }
+    // With a second axle on the joint of 0 and 1 every choice comes, not equal sides alone.
+    settings.axles = {{0, 1}, {-0.5, 2}};
+    positions = movingLoad(slabs, settings);
+    ASSERT_EQ(positions.size(), 8u + 8u);
+    EXPECT_THAT(positions[0].blocks, ElementsAre(0, 0));
+    EXPECT_THAT(positions[1].blocks, ElementsAre(0, 1));
+    EXPECT_THAT(positions[6].blocks, ElementsAre(3, 0));
+    EXPECT_THAT(positions[7].blocks, ElementsAre(3, 1));
+    // Of what is fixed there is one choice: no load.
+    Assembly<3> onFixed = slabs;
+    onFixed.blocks[1].support = onFixed.blocks[2].support = 0;
+    onFixed.supports = {{"ground", "ground"}};
+    settings.axles = {};
+    positions = movingLoad(onFixed, settings);
+    ASSERT_EQ(positions.size(), 3u);
+    EXPECT_THAT(positions[0].blocks, ElementsAre(0));
+    EXPECT_THAT(positions[1].blocks, ElementsAre(3));
+}
+
+// So many axles at joints at once take one side together.
+TEST(MovingLoad, ManyAxlesAtJointsAreOnEqualSides)
+{
+    Assembly<2> row{{{rectangle(-9, -1, 9, 0), 1, 0}}, {{"ground", "ground"}}};
+    MovingLoadSettings<2> settings = overSteps();
+    settings.from = {0, 3};
+    settings.to = {0.5, 3};
+    settings.positions = 2;
+    for (int i = -1; i < 8; ++i)
+    {
+        row.blocks.push_back({rectangle(i, 0, i + 1, 1)});
+        if (i >= 0)
+        {
+            settings.axles.emplace_back(i, 1);
+        }
+    }
+    const std::vector<LoadPosition<2>> positions = movingLoad(row, settings);
+    ASSERT_EQ(positions.size(), 2u + 1u);
+    EXPECT_THAT(positions[0].blocks, ElementsAre(1, 2, 3, 4, 5, 6, 7, 8));
+    EXPECT_THAT(positions[1].blocks, ElementsAre(2, 3, 4, 5, 6, 7, 8, 9));
+}
+
 /// Four blocks of 1 m side by side on the ground, their tops at the level 1.
 Assembly<2> row()
 {

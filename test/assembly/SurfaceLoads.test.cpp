@@ -279,6 +279,36 @@ TEST(FillFromAbove, AFaceIsShelteredBelowABlockThatIsApartFromIt)
     EXPECT_TRUE(FillFromAbove<3>(space, 1.5).isSheltered({half}));
 }
 
+// One of two faces that are mirror images was pressed and the other was not: places on their borders, where
+// other walls stand, decided.
+TEST(FillFromAbove, ReachesAlikeWhatIsAlikeInAMirror)
+{
+    for (const double roof : {0.6, 0.8, 1.3533760517635307, 1.5})
+    {
+        // Four walls round a room of 1.4 x 1.4 m, whose roof covers a part of it, from x = 0.
+        const Assembly<3> room{{{makeBox({0, 0, 0}, {0.3, 2, 1}), -1},
+                                {makeBox({1.7, 0, 0}, {2, 2, 1}), -1},
+                                {makeBox({0.3, 0, 0}, {1.7, 0.3, 1}), -1},
+                                {makeBox({0.3, 1.7, 0}, {1.7, 2, 1}), -1},
+                                {makeBox({0, 0, 1}, {roof, 2, 1.2}), -1}},
+                               {}};
+        const auto isReached = [&](int block, const Vector<3>& normal)
+        {
+            std::vector<SurfacePiece<3>> face;
+            for (const SurfacePiece<3>& piece : surfaceOf(room, block))
+            {
+                if (piece.normal.dot(normal) > 0.5)
+                {
+                    face.push_back(piece);
+                }
+            }
+            return FillFromAbove<3>(room, 0.63).reaches(face);
+        };
+        EXPECT_TRUE(isReached(2, {0, 1, 0})) << roof;
+        EXPECT_TRUE(isReached(3, {0, -1, 0})) << roof;
+    }
+}
+
 TEST(SurfaceLoads, WhatIsTakenAwayIsPressedAsItsFaceIs)
 {
     // A pier under a lintel: the fill does not reach its right side, of which a neighbour covers a part; the

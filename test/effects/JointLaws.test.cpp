@@ -2,7 +2,9 @@
 /// Strengths of joints: names, patterns, areas, and every fault with its line.
 #include "effects/JointLaws.h"
 #include "effects/EffectList.h"
+#include "effects/Friction.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -118,11 +120,14 @@ TEST_F(JointLaws, WarnOfANameWithinAPatternThatNoJointHas)
     assembly.zones = {{"shaft", {0}}, {"base", {1}}};
     EXPECT_EQ(warnings("0-1|0-ground"), "");
     EXPECT_EQ(warnings("(shaft|base)-ground"), "");
+    EXPECT_EQ(warnings("(0-1|0-ground)"), "") << "whole names in brackets were said not to exist";
+    EXPECT_EQ(warnings("((0-1|ground-0)|(shaft|base)-ground)"), "");
     EXPECT_EQ(warnings("(shaft|base)-.*|7-.*"), "") << "not of names alone";
     EXPECT_THAT(warnings("0-1|shatf-ground"),
                 testing::AllOf(testing::HasSubstr("no joint shatf-ground. Did you mean shaft-ground?"),
                                testing::HasSubstr("at line 4")));
     EXPECT_THAT(warnings("(shaft|bsae)-ground"), testing::HasSubstr("no joint bsae. Did you mean base?"));
+    EXPECT_THAT(warnings("(0-1|0-gruond)"), testing::HasSubstr("no joint 0-gruond. Did you mean 0-ground?"));
 }
 
 // The last of the two counted without a word.
@@ -182,6 +187,39 @@ TEST_F(JointLaws, AJointThatIsNamedInBothOrdersIsRefusedWithBothLines)
     EXPECT_EQ(report("friction { type Coulomb; mu 0.5; }\njoints\n{\nupper-lower { friction { mu 0.3; } }\n"
                      "1-0 { friction { mu 0.1; } }\n}"),
               "no error");
+}
+
+// They were refused as joints that there are none, so that only a pattern could give them a friction.
+TEST_F(JointLaws, OfBlocksThatTouchLaterHaveAFrictionInMotionAlone)
+{
+    const auto reportOfMotion = [&](const std::string& joint)
+    {
+        std::ofstream(directory / "constant/contactProperties")
+            << "friction { type Coulomb; mu 0.5; }\njoints\n{\n" + joint + "\n}";
+        const ContactProperties properties = readContactProperties(directory);
+        try
+        {
+            const FrictionOfJoints known = frictionOfJoints(properties, assembly);
+            ContactPoint<2> met;
+            met.block = 1;
+            met.neighbour = 2;
+            return fmt::format("{}", frictionAt(properties, assembly, known, {met})[0]);
+        }
+        catch (const FatalError& error)
+        {
+            return error.report();
+        }
+    };
+    EXPECT_EQ(reportOfMotion("1-ground { friction { mu 0.3; } }"), "0.3");
+    EXPECT_EQ(reportOfMotion("ground-1 { friction { mu 0.3; } }"), "0.3");
+    EXPECT_THAT(reportOfMotion("1-gruond { friction { mu 0.3; } }"), HasSubstr("no joint 1-gruond"));
+    EXPECT_THAT(reportOfMotion("1-ground { cohesion { strength 5; } }"), HasSubstr("no joint 1-ground"));
+    EXPECT_THAT(reportOfMotion("1-7 { friction { mu 0.3; } }"), HasSubstr("no joint 1-7"));
+    EXPECT_THAT(report("friction { type Coulomb; mu 0.5; }\njoints { 1-ground { friction { mu 0.3; } } }"),
+                HasSubstr("no joint 1-ground"));
+    assembly.zones = {{"upper", {1}}, {"lower", {0}}};
+    EXPECT_EQ(reportOfMotion("upper-ground { friction { mu 0.2; } }"), "0.2");
+    EXPECT_THAT(reportOfMotion("upper-upper { friction { mu 0.2; } }"), HasSubstr("no joint upper-upper"));
 }
 
 TEST_F(JointLaws, FaultsAreNamed)
