@@ -93,22 +93,6 @@ bool isWholeRow(const std::string& line)
     return line.ends_with(rowEnd);
 }
 
-/// Numbers of a text that has nothing else, or none.
-std::vector<double> numbersOf(const std::string& text)
-{
-    std::vector<double> numbers;
-    const char* at = text.c_str();
-    for (char* end = nullptr;; at = end)
-    {
-        const double value = std::strtod(at, &end);
-        if (end == at)
-        {
-            return at == text.c_str() + text.size() ? numbers : std::vector<double>();
-        }
-        numbers.push_back(value);
-    }
-}
-
 /// Whether a number of a file is a whole one that a long has: without rounding in a double.
 bool isWhole(double number, double least, double most)
 {
