@@ -4,6 +4,8 @@
 
 #include "core/Signals.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -314,6 +316,8 @@ void work(const Ensemble& ensemble, const SampleStore& store, const Worker& work
         // Of the folder, not of a sample: the supervisor reads it.
         const std::string report = error.report();
         [[maybe_unused]] const auto written = ::write(2, report.data(), report.size());
+        std::array<char, sizeof(Activity::fault)>& fault = worker.activity->fault;
+        *fmt::format_to_n(fault.data(), fault.size() - 1, "{}", error.what()).out = '\0';
         ::_exit(3);
     }
     ::_exit(0);
