@@ -1,5 +1,5 @@
 # What `cmake --install` and the Debian package hold: applications, manual pages, completion, tutorials, and the files of
-# etc/ that cases use. Paths are relative, so that the prefix can be chosen when installing.
+# etc/ that cases use; the former the libraries too. Paths are relative, so that the prefix can be chosen when installing.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME applications)
 
 get_property(drystone_applications GLOBAL PROPERTY DRYSTONE_APPLICATIONS)
@@ -14,6 +14,21 @@ install(FILES README.md GUIDE.md CHANGELOG.md CONTRIBUTING.md LICENSE CITATION.c
 install(DIRECTORY python/drystone DESTINATION lib/python3/dist-packages COMPONENT python PATTERN "__pycache__" EXCLUDE)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-drystone COMPONENT python)
 install(FILES etc/bash_completion DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME blockTexture)
+
+# The libraries, for programs of others: find_package(Drystone), Drystone::statics (test/installation/consumer).
+include(CMakePackageConfigHelpers)
+get_property(drystone_libraries GLOBAL PROPERTY DRYSTONE_LIBRARIES)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/Drystone)
+install(TARGETS ${drystone_libraries} EXPORT DrystoneTargets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(DIRECTORY libs/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/drystone COMPONENT development
+    FILES_MATCHING PATTERN "*.h" PATTERN viewer EXCLUDE)
+install(EXPORT DrystoneTargets NAMESPACE Drystone:: DESTINATION ${package} COMPONENT development)
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/DrystoneConfig.cmake.in ${CMAKE_BINARY_DIR}/DrystoneConfig.cmake
+    INSTALL_DESTINATION ${package} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/DrystoneConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/DrystoneConfig.cmake ${CMAKE_BINARY_DIR}/DrystoneConfigVersion.cmake
+    DESTINATION ${package} COMPONENT development)
 
 # A tutorial that was copied elsewhere finds RunFunctions beside the applications: in bin/ of the build and of the
 # installation. drystone-new is a script that stands there in the same way. bash-completion looks for a file by the name

@@ -16,4 +16,7 @@ cmake --build build-clipper --target install
 cmake -S drystone -B build-drystone -G Ninja ${CMAKE_ARGS-} -D CMAKE_BUILD_TYPE=Release -D CMAKE_INSTALL_PREFIX="$PREFIX" \
     -D CMAKE_PREFIX_PATH="$own;$PREFIX" -D DRYSTONE_PROCESSOR=x86-64 -D DRYSTONE_TESTS=OFF
 cmake --build build-drystone --target applications
-cmake --install build-drystone
+# Without the static libraries, which conda-forge has in no package of applications.
+for component in applications python; do
+    cmake --install build-drystone --component $component
+done

@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace drystone
 {
 namespace
@@ -52,7 +54,7 @@ AccuracyRuns::AccuracyRuns(const AccuracyStudy& accuracyStudy)
     : study(accuracyStudy), file(accuracyFolder(study.caseDirectory) / "history.dat")
 {
     const long quantities = static_cast<long>(study.quantities.size());
-    for (const HistoryRow& row : readHistory(file, study.heading, historyNumbers, accuracyCostName))
+    const auto take = [&](const HistoryRow& row)
     {
         const int phases = row.wholeInt(13, 1);
         const RunKey key{static_cast<std::size_t>(row.whole(0, 0, quantities - 1)),
@@ -64,8 +66,19 @@ AccuracyRuns::AccuracyRuns(const AccuracyStudy& accuracyStudy)
         const RunEnd end{row.wholeInt(19, 0, static_cast<int>(RunEnd::missing))};
         const auto figure = [&](std::size_t column) // of which a run that has failed may have none
         { return end == RunEnd::done ? row.finite(column) : row.number(column); };
-        add(key, {figure(14), figure(15), row.finite(16, 0), row.finite(17, 0), row.number(18), end});
-    }
+        const Measurement run{figure(14),        figure(15),     row.finite(16, 0),
+                              row.finite(17, 0), row.number(18), end};
+        if (end != RunEnd::done && !std::isnan(run.value))
+        {
+            row.refuse(14, fmt::format("nan where end is {}", static_cast<int>(end)));
+        }
+        if (find(key))
+        {
+            row.refuse(12, "what no row before has with this setting");
+        }
+        add(key, run);
+    };
+    readHistory(file, study.heading, historyNumbers, accuracyCostName, take);
     if (size() > 0)
     {
         info("Continuing: {} runs are known from postProcessing/accuracyCost/0/history.dat", size());
@@ -94,12 +107,12 @@ void AccuracyRuns::write() const
         const RunSetting& setting = key.setting;
         const Measurement& run = runs.at(key);
         // The fewest digits that read back as the same number.
-        text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", key.quantity,
-                            setting.deltaT, setting.theta, int(setting.flowRule), int(setting.solver),
-                            setting.tolerance, setting.pointsPerJoint, setting.pointsPerSide,
-                            int(setting.displacements), int(setting.formulation), setting.contactOverlap,
-                            int(setting.effects), key.phase.index, key.phase.count, run.value, run.hover,
-                            run.steps, run.cpuTime, run.worstResidual, int(run.end));
+        text += historyRow(fmt::format(
+            "{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", key.quantity, setting.deltaT,
+            setting.theta, int(setting.flowRule), int(setting.solver), setting.tolerance,
+            setting.pointsPerJoint, setting.pointsPerSide, int(setting.displacements),
+            int(setting.formulation), setting.contactOverlap, int(setting.effects), key.phase.index,
+            key.phase.count, run.value, run.hover, run.steps, run.cpuTime, run.worstResidual, int(run.end)));
     }
     writeWholeFile(file, text);
 }

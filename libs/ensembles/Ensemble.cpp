@@ -6,7 +6,6 @@
 #include "core/WholeFile.h"
 #include "ensembles/CaseRuns.h"
 #include "ensembles/SamplesInProcess.h"
-#include "ensembles/StudyInput.h"
 #include "ensembles/WrittenTables.h"
 #include "functionObjects/ColumnFile.h"
 #include "quantities/TableLine.h"
@@ -178,6 +177,19 @@ std::string contentOfNamedFiles(const Ensemble& ensemble, const Dictionary& dict
     return content;
 }
 
+} // namespace
+
+StudyRuns runsOf(const Ensemble& ensemble)
+{
+    StudyRuns runs;
+    runs.dictionary = "system/ensembleDict";
+    runs.applications = ensemble.settings.applications;
+    return runs;
+}
+
+namespace
+{
+
 /// All that the samples depend on. With random and sobol more samples extend the earlier ones.
 std::string planOf(const Ensemble& ensemble)
 {
@@ -207,13 +219,10 @@ std::string planOf(const Ensemble& ensemble)
     {
         results += toText(ensemble.dictionary.subDict("results").lookup(name));
     }
-    StudyRuns runs;
-    runs.dictionary = "system/ensembleDict";
-    runs.applications = settings.applications;
     const Entry* correlations = ensemble.dictionary.find("correlations");
     return fmt::format("{}applications {} {}\nvariables {:016x}\ncorrelations {}\ndesign {:016x}\nresults "
                        "{:016x}\nattempts {}\n",
-                       inputLines(inputOfStudy(ensemble.caseDirectory, runs)),
+                       inputLines(inputOfStudy(ensemble.caseDirectory, runsOf(ensemble))),
                        fmt::join(settings.applications, " "), fmt::join(ensemble.options, " "),
                        fingerprint(variables), correlations ? correlations->valueText() : "none",
                        fingerprint(design), fingerprint(results), settings.failures.attempts);

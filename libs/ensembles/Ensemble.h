@@ -5,6 +5,7 @@
 #include "ensembles/CaseRuns.h"
 #include "ensembles/EnsembleSettings.h"
 #include "ensembles/Sampler.h"
+#include "ensembles/StudyInput.h"
 #include "runControl/PictureFormats.h"
 
 #include <algorithm>
@@ -60,6 +61,9 @@ struct Ensemble
 /// \param options for the applications, -noFunctionObjects
 /// \throws FatalIOError for faults in it
 Ensemble readEnsemble(const std::filesystem::path& caseDirectory, const std::vector<std::string>& options);
+
+/// What the samples follow from.
+StudyRuns runsOf(const Ensemble& ensemble);
 
 /// postProcessing/ensemble/0/ of a case, and the folder in it that processes share.
 std::filesystem::path ensembleFolder(const std::filesystem::path& caseDirectory);

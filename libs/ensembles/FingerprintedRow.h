@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace drystone
 {
@@ -15,5 +16,8 @@ std::string withFingerprint(const std::string& row);
 /// The other way. Rows of older versions have no fingerprint and are taken as they are. \return nothing where
 /// it is that of something else
 std::optional<std::string> withoutFingerprint(const std::string& row);
+
+/// Numbers of a text that has nothing else, or none.
+std::vector<double> numbersOf(const std::string& text);
 
 } // namespace drystone

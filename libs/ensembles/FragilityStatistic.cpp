@@ -97,7 +97,7 @@ Observations observationsOf(const FragilitySettings& settings, const SampleTable
                        : 0;
     for (std::size_t row = 0; row < table.rows(); ++row)
     {
-        if (std::isnan(intensities[row]))
+        if (!std::isfinite(intensities[row]))
         {
             ++found.unplaced;
             continue;

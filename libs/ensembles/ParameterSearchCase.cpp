@@ -88,6 +88,12 @@ std::string statusText(const ParameterSearch& search, const SearchOutcome& outco
     return "interrupted";
 }
 
+/// What the points follow from.
+StudyRuns runsOf(const ParameterSearch& search)
+{
+    return {"system/parameterSearchDict", search.settings.applications, search.settings.cases};
+}
+
 /// Whether every result has a number for points at which there is none.
 bool hasOtherwise(const ParameterSearchSettings& settings)
 {
@@ -143,7 +149,7 @@ ParameterSearch readParameterSearch(const fs::path& caseDirectory, const Command
         search.start.push_back(
             variable.start.value_or(std::clamp(value, variable.bounds[0], variable.bounds[1])));
     }
-    const StudyRuns runs{"system/parameterSearchDict", search.settings.applications, search.settings.cases};
+    const StudyRuns runs = runsOf(search);
     for (const auto& [name, result] : search.settings.results)
     {
         requireTable(result.figure, caseDirectory, runs, search.dictionary.subDict("results").subDict(name));
@@ -210,6 +216,7 @@ struct RunningSearch
     double start = clockTime(); ///< [s]
     std::optional<double> bestObjective = {};
     double bestViolation = std::numeric_limits<double>::infinity();
+    InputWatch input{search.caseDirectory, runsOf(search), search.caseInput, "# "};
     int evaluations = 0;
     int computed = 0;            ///< of these, the others were known
     int cutShort = 0;            ///< of the computed ones: maximumTime has ended a search in a case of theirs
@@ -290,6 +297,13 @@ Evaluation evaluateKnown(RunningSearch& running, const SearchRecord& known)
 Evaluation evaluateComputed(RunningSearch& running, const std::vector<double>& variables, const PointRun& run)
 {
     const ParameterSearch& search = running.search;
+    if (const std::string change = running.input.change(); !change.empty())
+    {
+        throw FatalError(fmt::format("The case is not what it was when the search was begun: {}. Points of "
+                                     "before are kept. Restore what was there to continue, or remove "
+                                     "postProcessing/parameterSearch to start again.",
+                                     change));
+    }
     requireComputable(running, variables, run);
     const Evaluation found = evaluate(search.settings, variables,
                                       completed(search, variables, run.results, reasonOfNoNumber(run)));

@@ -3,6 +3,7 @@
 #include "ensembles/SampleStore.h"
 
 #include "core/WholeFile.h"
+#include "dictionary/Fingerprint.h"
 #include "ensembles/FingerprintedRow.h"
 #include "ensembles/StudyInput.h"
 #include "runControl/CaseFiles.h"
@@ -93,22 +94,6 @@ bool isWholeRow(const std::string& line)
     return line.ends_with(rowEnd);
 }
 
-/// Numbers of a text that has nothing else, or none.
-std::vector<double> numbersOf(const std::string& text)
-{
-    std::vector<double> numbers;
-    const char* at = text.c_str();
-    for (char* end = nullptr;; at = end)
-    {
-        const double value = std::strtod(at, &end);
-        if (end == at)
-        {
-            return at == text.c_str() + text.size() ? numbers : std::vector<double>();
-        }
-        numbers.push_back(value);
-    }
-}
-
 /// Whether a number of a file is a whole one that a long has: without rounding in a double.
 bool isWhole(double number, double least, double most)
 {
@@ -173,6 +158,37 @@ bool hasSamples(const fs::path& work)
     }
     return false;
 }
+
+constexpr std::string_view planBeginning = "# plan ";
+
+/// The line of a journal that says of which plan its rows are; empty where the folder has none.
+std::string planMark(const fs::path& work)
+{
+    const std::string plan = contentOfFile(work / "plan");
+    return plan.empty() ? "" : fmt::format("{}{:016x}\n", planBeginning, fingerprint(plan));
+}
+
+/// Rows of a journal that are left out for one reason.
+struct LeftOut
+{
+    int rows = 0;
+    int first = 0; ///< its line
+
+    void add(int line) { first = rows++ == 0 ? line : first; }
+    /// \param what they are
+    void question(std::vector<Doubt>* doubts, const fs::path& file, const std::string& what) const
+    {
+        if (doubts && rows > 0)
+        {
+            doubts->push_back(
+                {fmt::format(
+                     "{} row{} of this journal {} {}: not used, and computed again where no other row "
+                     "has the sample. Remove {} to end this warning.",
+                     rows, rows == 1 ? "" : "s", rows == 1 ? "is" : "are", what, rows == 1 ? "it" : "them"),
+                 {file.string(), "", first}});
+        }
+    }
+};
 
 [[noreturn]] void refusePlan(const fs::path& work, const std::string& fault)
 {
@@ -351,7 +367,7 @@ void SampleStore::reopen(long chunk)
 Journal::Journal(const fs::path& path) : file(path), descriptor(openFile(path, O_WRONLY | O_APPEND))
 {
     // After a worker that was ended in the middle of a row.
-    pending.push_back('\n');
+    pending = "\n" + planMark(file.parent_path());
 }
 
 Journal::~Journal()
@@ -394,21 +410,27 @@ void Journal::sync()
 void readJournal(const fs::path& file, std::size_t results, std::map<long, SampleRow>& rows,
                  std::vector<Doubt>* doubts)
 {
-    int damaged = 0;
-    int firstDamaged = 0;
+    const std::string plan = planMark(file.parent_path());
+    bool isOfPlan = true;
+    LeftOut damaged;
+    LeftOut ofOthers;
     int number = 0;
     std::ifstream stream(file);
     for (std::string line; std::getline(stream, line);)
     {
         ++number;
+        if (line.starts_with(planBeginning))
+        {
+            isOfPlan = plan.empty() || line + "\n" == plan;
+        }
         if (!isWholeRow(line))
         {
             continue;
         }
         const auto row = rowOf(line, results);
-        if (!row)
+        if (!row || !isOfPlan)
         {
-            firstDamaged = damaged++ == 0 ? number : firstDamaged;
+            (isOfPlan ? damaged : ofOthers).add(number);
             continue;
         }
         const auto [known, isNew] = rows.insert(*row);
@@ -422,16 +444,9 @@ void readJournal(const fs::path& file, std::size_t results, std::map<long, Sampl
                  {file.string(), "", number}});
         }
     }
-    if (doubts && damaged > 0)
-    {
-        doubts->push_back(
-            {fmt::format("{} row{} of this journal {} not what was written there, this is the "
-                         "first: not used, and computed again where no other row has the sample. "
-                         "Remove {} to end this warning.",
-                         damaged, damaged == 1 ? "" : "s", damaged == 1 ? "is" : "are",
-                         damaged == 1 ? "it" : "them"),
-             {file.string(), "", firstDamaged}});
-    }
+    damaged.question(doubts, file, "not what was written there, this is the first");
+    ofOthers.question(doubts, file,
+                      "of another ensemble, the plan of which is not that of this folder, this is the first");
 }
 
 std::map<long, SampleRow> readJournals(const fs::path& work, std::size_t results, std::vector<Doubt>* doubts)

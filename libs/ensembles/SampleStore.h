@@ -9,7 +9,7 @@
 ///                      process claims a chunk by locking its byte (fcntl): the kernel releases the lock when
 ///                      the process dies, however it does
 ///     journal.<host>.<process>.<worker>    a row a sample with its fingerprint, written at
-///                      its end and synced a chunk at a time
+///                      its end and synced a chunk at a time, below a line with that of the plan
 ///     failures         a row an attempt that failed
 ///     messages.*       what workers print on standard error
 ///
@@ -120,8 +120,9 @@ private:
 };
 
 /// All rows of all journals of a folder. Rows that are torn, as where a worker was killed, are left out, and
-/// so are those that have been changed since. \param results in a row \param doubts what has been changed, or
-/// contradicts another row, is added to them; null: not looked for
+/// so are those that have been changed since, and those of another plan than the folder has. \param results
+/// in a row \param doubts what has been changed, or contradicts another row, is added to them; null: not
+/// looked for
 std::map<long, SampleRow> readJournals(const std::filesystem::path& work, std::size_t results,
                                        std::vector<Doubt>* doubts = nullptr);
 /// Of one journal; none where there is no such file.

@@ -53,7 +53,7 @@ SearchHistory::SearchHistory(const ParameterSearch& parameterSearch)
 {
     const std::size_t variables = search.settings.variables.size();
     const std::size_t numbers = variables + search.settings.results.size() + 2;
-    for (const HistoryRow& row : readHistory(file, historyHeading(search), numbers, parameterSearchName))
+    const auto take = [&](const HistoryRow& row)
     {
         SearchRecord record;
         std::size_t column = 0;
@@ -68,9 +68,15 @@ SearchHistory::SearchHistory(const ParameterSearch& parameterSearch)
         constexpr int mostStatus = 255;
         record.exitStatus = row.wholeInt(numbers - 2, 0, mostStatus);
         record.cpuTime = row.finite(numbers - 1, 0);
+        if (find(record.variables))
+        {
+            row.refuse(0, "what no row before has"
+                              + std::string(variables > 1 ? " with the same other variables" : ""));
+        }
         places[record.variables] = knownRecords.size();
         knownRecords.push_back(std::move(record));
-    }
+    };
+    readHistory(file, historyHeading(search), numbers, parameterSearchName, take);
 }
 
 const SearchRecord* SearchHistory::find(const std::vector<double>& variables) const
@@ -87,8 +93,8 @@ void SearchHistory::add(SearchRecord record)
     for (const SearchRecord& known : knownRecords)
     {
         // The fewest digits that read back as the same number.
-        text += fmt::format("{}  {}  {}  {:.3g}\n", fmt::join(known.variables, "  "),
-                            fmt::join(known.results, "  "), known.exitStatus, known.cpuTime);
+        text += historyRow(fmt::format("{}  {}  {}  {:.3g}", fmt::join(known.variables, "  "),
+                                       fmt::join(known.results, "  "), known.exitStatus, known.cpuTime));
     }
     writeWholeFile(file, text);
 }

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <stdexcept>
@@ -152,7 +153,8 @@ std::pair<double, double> fractileInterval(const std::vector<double>& sorted, do
     return {below > 0 ? sampleAt(below - 1) : none, above < count ? sampleAt(above) : none};
 }
 
-/// The numbers that samples have, sorted, with rows that count the samples without one.
+/// The numbers that samples have, infinite ones too, sorted, with rows that count the samples without a
+/// finite one.
 std::vector<double> knownValues(const DistributionSettings& settings, const SampleTable& table,
                                 StatisticResult& result)
 {
@@ -162,13 +164,14 @@ std::vector<double> knownValues(const DistributionSettings& settings, const Samp
     for (std::size_t row = 0; row < values.size(); ++row)
     {
         failed += table.isFailed[row];
-        if (!table.isFailed[row] && std::isfinite(values[row]))
+        if (!table.isFailed[row] && !std::isnan(values[row]))
         {
             sorted.push_back(values[row]);
         }
     }
     std::sort(sorted.begin(), sorted.end());
-    const auto known = static_cast<long>(sorted.size());
+    const auto known = static_cast<long>(
+        std::count_if(sorted.begin(), sorted.end(), [](double value) { return std::isfinite(value); }));
     const long missing = static_cast<long>(values.size()) - failed - known;
     const double none = std::nan("");
     result.rows.push_back({"samples", static_cast<double>(known), none, none, none});
@@ -272,7 +275,10 @@ StatisticResult evaluateDistribution(const DistributionSettings& settings, const
                                      const SampleTable& table)
 {
     StatisticResult result;
-    const std::vector<double> sorted = knownValues(settings, table, result);
+    const std::vector<double> all = knownValues(settings, table, result);
+    std::vector<double> sorted;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(sorted),
+                 [](double value) { return std::isfinite(value); });
     if (sorted.empty())
     {
         result.remarks.emplace_back("No sample has a number: there is no distribution");
@@ -283,8 +289,9 @@ StatisticResult evaluateDistribution(const DistributionSettings& settings, const
     {
         result.remarks.emplace_back("One sample has a number: no deviation, error or interval is known");
     }
-    const Confidence confidence(table.sensitivityRuns > 0 ? std::max(1L, known / table.sensitivityRuns)
-                                                          : known);
+    const auto independentOf = [&table](long samples)
+    { return table.sensitivityRuns > 0 ? std::max(1L, samples / table.sensitivityRuns) : samples; };
+    const Confidence confidence(independentOf(known));
     if (confidence.independent < known)
     {
         result.remarks.push_back(fmt::format(
@@ -293,7 +300,14 @@ StatisticResult evaluateDistribution(const DistributionSettings& settings, const
             table.sensitivityRuns, confidence.independent));
     }
     const double deviation = addMoments(sorted, confidence, result);
-    addFractiles(settings.fractiles, sorted, confidence, result);
+    // An infinite value has a place among the others, as the multiplier of what no load makes collapse.
+    if (const std::size_t infinite = all.size() - sorted.size(); infinite > 0)
+    {
+        result.remarks.push_back(fmt::format(
+            "{} infinite values count in fractiles, as the largest or least there are, and in nothing else",
+            infinite));
+    }
+    addFractiles(settings.fractiles, all, Confidence(independentOf(static_cast<long>(all.size()))), result);
     if (sorted.front() > 0 && deviation > 0)
     {
         addLognormal(sorted, confidence, result);
@@ -337,7 +351,7 @@ double fractile(const std::vector<double>& sorted, double part)
     const std::size_t above = std::min(below + 1, sorted.size() - 1);
     const double share = place - static_cast<double>(below);
     // Not of infinities, whose difference is no number.
-    return share == 0 || sorted[below] == sorted[above]
+    return share == 0 || sorted[below] == sorted[above] || std::isinf(sorted[below])
                ? sorted[below]
                : sorted[below] + share * (sorted[above] - sorted[below]);
 }

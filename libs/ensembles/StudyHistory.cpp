@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -115,6 +114,14 @@ std::vector<std::string> columnsOf(const std::string& heading)
         place);
 }
 
+/// The numbers of a line; nothing where it is not what the mark above it is of. \param mark its fingerprint;
+/// empty: within the line, or it has none
+std::optional<std::string> asWritten(const std::string& line, const std::string& mark)
+{
+    return withoutFingerprint(mark.empty() ? line
+                                           : line.substr(0, line.find_last_not_of(" \t\r") + 1) + " " + mark);
+}
+
 } // namespace
 
 std::string historyInput(const std::vector<InputFile>& files)
@@ -124,7 +131,8 @@ std::string historyInput(const std::vector<InputFile>& files)
 
 std::string historyRow(const std::string& numbers)
 {
-    return withFingerprint(numbers) + "\n";
+    const std::string row = withFingerprint(numbers);
+    return row.substr(numbers.size() + 1) + "\n" + numbers + "\n";
 }
 
 void HistoryRow::refuse(std::size_t column, const std::string& wanted) const
@@ -167,14 +175,13 @@ std::string changedHistory(const fs::path& file, const std::string& heading, con
     return text ? changeOf(*text, file, heading, study) : "";
 }
 
-std::vector<HistoryRow> readHistory(const fs::path& file, const std::string& heading, std::size_t numbers,
-                                    const std::string& study)
+void readHistory(const fs::path& file, const std::string& heading, std::size_t numbers,
+                 const std::string& study, const TakeHistoryRow& take)
 {
-    std::vector<HistoryRow> rows;
     const std::optional<std::string> text = textOfHistory(file);
     if (!text)
     {
-        return rows;
+        return;
     }
     if (const std::string change = changeOf(*text, file, heading, study); !change.empty())
     {
@@ -185,34 +192,29 @@ std::vector<HistoryRow> readHistory(const fs::path& file, const std::string& hea
     const auto from =
         std::make_shared<const HistoryFile>(HistoryFile{file.string(), study, columnsOf(heading)});
     std::istringstream lines(text->substr(heading.size()));
-    int lineNumber = static_cast<int>(std::count(heading.begin(), heading.end(), '\n'));
+    SourceLocation place{file.string(), "",
+                         static_cast<int>(std::count(heading.begin(), heading.end(), '\n'))};
+    SourceLocation above; // the fingerprint of the row
+    std::string mark;
     for (std::string line; std::getline(lines, line);)
     {
-        ++lineNumber;
-        const SourceLocation place{file.string(), "", lineNumber};
-        const std::optional<std::string> checked = withoutFingerprint(line);
-        if (!checked && lines.eof())
+        ++place.line;
+        if (line.starts_with('#') && mark.empty() && !lines.eof())
         {
-            refuseCutRow(study, place);
+            mark = line;
+            above = place;
+            continue;
         }
-        if (!checked)
+        const std::optional<std::string> written = asWritten(line, mark);
+        const SourceLocation begin = mark.empty() ? place : above;
+        mark.clear();
+        if (!written && lines.eof())
         {
-            refuseChangedRow(study, place);
+            refuseCutRow(study, begin);
         }
-        line = *checked;
-        std::vector<double> row;
-        const char* at = line.c_str();
-        for (char* end = nullptr;; at = end)
-        {
-            const double value = std::strtod(at, &end);
-            if (end == at)
-            {
-                break;
-            }
-            row.push_back(value);
-        }
-        if (row.size() != numbers
-            || line.find_first_not_of(" \t", static_cast<std::size_t>(at - line.c_str())) != line.npos)
+        std::vector<double> row = numbersOf(written.value_or(line));
+        const bool isWhole = row.size() == numbers;
+        if (written && !isWhole)
         {
             throw FatalIOError(fmt::format("A row of the history has {} numbers and not something else.\n\n"
                                            "Remove the row, or postProcessing/{} to start again.",
@@ -221,10 +223,28 @@ std::vector<HistoryRow> readHistory(const fs::path& file, const std::string& hea
         }
         if (lines.eof())
         {
-            refuseCutRow(study, place);
+            refuseCutRow(study, begin);
         }
-        rows.emplace_back(from, lineNumber, std::move(row));
+        if (isWhole)
+        {
+            take(HistoryRow(from, place.line, std::move(row)));
+        }
+        if (!written)
+        {
+            refuseChangedRow(study, begin);
+        }
     }
+    if (!mark.empty())
+    {
+        refuseChangedRow(study, above);
+    }
+}
+
+std::vector<HistoryRow> readHistory(const fs::path& file, const std::string& heading, std::size_t numbers,
+                                    const std::string& study)
+{
+    std::vector<HistoryRow> rows;
+    readHistory(file, heading, numbers, study, [&rows](const HistoryRow& row) { rows.push_back(row); });
     return rows;
 }
 

@@ -7,6 +7,7 @@
 #include "ensembles/StudyInput.h"
 
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -60,7 +61,8 @@ private:
     std::vector<double> values;
 };
 
-/// A row to be written: its numbers, and what tells whether they have been changed since.
+/// A row to be written: its numbers, below a comment that tells whether they have been changed since, so that
+/// a table has its columns alone.
 std::string historyRow(const std::string& numbers);
 
 /// Why a history is not continued: `constant/g has changed`. Empty: it has the heading, or there is none.
@@ -71,10 +73,16 @@ std::string historyRow(const std::string& numbers);
 std::string changedHistory(const std::filesystem::path& file, const std::string& heading,
                            const std::string& study);
 
+/// Takes a row, or refuses it: a number that a column does not take is named before it is said that the row
+/// has been changed.
+using TakeHistoryRow = std::function<void(const HistoryRow&)>;
+
 /// The rows that an interrupted study has written. Those from `historyRow` are compared with what was
 /// written, others have their numbers only. \param numbers in a row \return nothing when there is no such
 /// file \throws FatalError as `changedHistory`, and when the heading differs, naming what has changed, or a
 /// row is not of so many numbers, or has been changed
+void readHistory(const std::filesystem::path& file, const std::string& heading, std::size_t numbers,
+                 const std::string& study, const TakeHistoryRow& take);
 std::vector<HistoryRow> readHistory(const std::filesystem::path& file, const std::string& heading,
                                     std::size_t numbers, const std::string& study);
 

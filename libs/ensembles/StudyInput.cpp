@@ -8,6 +8,8 @@
 #include "ensembles/CaseRuns.h"
 #include "runControl/CaseFiles.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -15,6 +17,9 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <utility>
+
+#include <sys/stat.h>
 
 namespace drystone
 {
@@ -278,6 +283,64 @@ std::string inputLines(const std::vector<InputFile>& files, const std::string& m
         text += mark + "input " + line + "\n";
     }
     return text;
+}
+
+InputWatch::InputWatch(fs::path watchedCase, StudyRuns runsOfStudy, std::string lines,
+                       std::string markOfLines)
+    : caseDirectory(std::move(watchedCase)),
+      runs(std::move(runsOfStudy)),
+      before(std::move(lines)),
+      mark(std::move(markOfLines)),
+      files(inputOfStudy(caseDirectory, runs))
+{
+}
+
+/// When and how often they were written, as far as the file system knows.
+std::string InputWatch::touches() const
+{
+    std::string text;
+    const auto add = [&text](const fs::path& path)
+    {
+        struct stat status = {};
+        if (::stat(path.c_str(), &status) == 0)
+        {
+            text += fmt::format("{} {} {} {}\n", status.st_mtim.tv_sec, status.st_mtim.tv_nsec,
+                                status.st_size, status.st_ino);
+        }
+        else
+        {
+            text += "none\n";
+        }
+    };
+    for (const InputFile& file : files)
+    {
+        add(caseDirectory / file.name);
+    }
+    for (const std::string& directory : runs.cases)
+    {
+        for (const CaseFolder& folder : caseFolders()) // where files may come and go
+        {
+            add(caseDirectory / directory / folder.name);
+        }
+    }
+    return text;
+}
+
+std::string InputWatch::change()
+{
+    std::string now = touches();
+    if (now == known)
+    {
+        return "";
+    }
+    std::vector<InputFile> read = inputOfStudy(caseDirectory, runs);
+    std::string changes = changedInput(before, inputLines(read, mark), mark);
+    if (changes.empty())
+    {
+        known = std::move(now);
+    }
+    files = std::move(read);
+    return changes;
 }
 
 bool hasInputLines(const std::string& text, const std::string& mark)

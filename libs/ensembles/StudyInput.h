@@ -44,4 +44,27 @@ bool hasInputLines(const std::string& text, const std::string& mark = "");
 /// \param mark before each of the lines
 std::string changedInput(const std::string& before, const std::string& now, const std::string& mark = "");
 
+/// Sees that the input of a study is what it was when the study began: somebody may edit the case meanwhile,
+/// and runs read it anew each.
+class InputWatch
+{
+public:
+    /// \param lines as `inputLines` has made them at the beginning, with `mark`
+    InputWatch(std::filesystem::path watchedCase, StudyRuns runsOfStudy, std::string lines,
+               std::string markOfLines = "");
+    /// `constant/g has changed`. Empty: nothing has. Files are read only where one of them, or a folder, has
+    /// been touched.
+    std::string change();
+
+private:
+    std::string touches() const;
+
+    std::filesystem::path caseDirectory;
+    StudyRuns runs;
+    std::string before;
+    std::string mark;
+    std::vector<InputFile> files;
+    std::string known; ///< touches of files that say what they said
+};
+
 } // namespace drystone

@@ -4,6 +4,8 @@
 
 #include "core/Signals.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -202,8 +204,23 @@ Together computeTogether(const Ensemble& ensemble, SampleRunner& runner, Activit
     return together;
 }
 
+/// Samples that were computed after somebody has edited the case are of no ensemble.
+void requireSameInput(InputWatch& input, Journal& journal)
+{
+    if (const std::string change = input.change(); !change.empty())
+    {
+        journal.sync();
+        throw FatalError(
+            fmt::format("The case is not what it was when the samples were begun: {}. Samples of "
+                        "before are kept. Restore what was there to continue, or remove "
+                        "postProcessing/ensemble to start again.",
+                        change));
+    }
+}
+
 void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk, SampleRunner& runner,
-                  Activity& activity, Journal& journal, const std::map<long, SampleRow>& known)
+                  Activity& activity, Journal& journal, InputWatch& input,
+                  const std::map<long, SampleRow>& known)
 {
     const auto [begin, end] = store.range(chunk);
     const Attempts attempts = attemptsOf(store.folder(), {begin, end});
@@ -229,6 +246,7 @@ void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk
         if (sample >= ahead.end && !isLeftOut(sample) && runner.together() > 1)
         {
             ahead = computeTogether(ensemble, runner, activity, sample, end, isLeftOut);
+            requireSameInput(input, journal);
         }
         const auto found = known.find(sample);
         if (const auto done = ahead.rows.find(sample); done != ahead.rows.end())
@@ -253,6 +271,7 @@ void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk
                     journal.sync();
                     ::_exit(0);
                 }
+                requireSameInput(input, journal);
                 journal.add(sample, *row);
             }
         }
@@ -298,9 +317,10 @@ void work(const Ensemble& ensemble, const SampleStore& store, const Worker& work
         readJournal(worker.journal, ensemble.settings.results.size(), known);
         Journal journal(worker.journal);
         SampleRunner runner(ensemble, worker.scratch);
+        InputWatch input(ensemble.caseDirectory, runsOf(ensemble), ensemble.plan);
         for (long chunk = 0; ::read(worker.orders, &chunk, sizeof(chunk)) == sizeof(chunk);)
         {
-            computeChunk(ensemble, store, chunk, runner, *worker.activity, journal, known);
+            computeChunk(ensemble, store, chunk, runner, *worker.activity, journal, input, known);
             limitMessages();
             const char done = 1;
             if (::write(worker.answers, &done, 1) != 1)
@@ -314,6 +334,8 @@ void work(const Ensemble& ensemble, const SampleStore& store, const Worker& work
         // Of the folder, not of a sample: the supervisor reads it.
         const std::string report = error.report();
         [[maybe_unused]] const auto written = ::write(2, report.data(), report.size());
+        std::array<char, sizeof(Activity::fault)>& fault = worker.activity->fault;
+        *fmt::format_to_n(fault.data(), fault.size() - 1, "{}", error.what()).out = '\0';
         ::_exit(3);
     }
     ::_exit(0);

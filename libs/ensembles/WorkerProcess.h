@@ -5,6 +5,7 @@
 
 #include "ensembles/SampleStore.h"
 
+#include <array>
 #include <atomic>
 #include <filesystem>
 #include <map>
@@ -27,6 +28,8 @@ struct Activity
     std::atomic<long> aloneBefore{0};
     std::atomic<bool> stops{false};         ///< finish the sample in hand and end
     std::atomic<bool> isFromOutside{false}; ///< the signal that ended the worker was sent by somebody
+    /// Why the worker cannot go on, ended by a zero: where the disk is full no file has room for it.
+    std::array<char, 512> fault{};
 };
 
 struct Worker

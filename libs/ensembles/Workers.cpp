@@ -369,7 +369,11 @@ private:
         worker.process = worker.orders = worker.answers = -1;
         if (WIFEXITED(status) && WEXITSTATUS(status) == 3)
         {
-            throw FatalError(fmt::format("A worker process cannot go on: see {}.", worker.messages.string()));
+            std::error_code none;
+            const bool isWritten = fs::file_size(worker.messages, none) > 0 && !none;
+            throw FatalError(fmt::format("A worker process cannot go on{}\n\n{}",
+                                         isWritten ? ": see " + worker.messages.string() + "." : ".",
+                                         worker.activity->fault.data()));
         }
         const long sample = worker.activity->sample;
         if (sample < 0)

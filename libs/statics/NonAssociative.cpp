@@ -22,8 +22,8 @@ constexpr int vainStarts = 4;
 constexpr int mostStartsToLower = 16;
 constexpr double leastLowering = 1e-3;
 
-/// The multiplier of joints without friction, below which there is no pair. Minus infinity where they cannot
-/// carry the dead load.
+/// The largest multiplier of joints without friction, below which there is no pair. Minus infinity where they
+/// stand with none.
 template<int Rows, int Forces>
 double safeMultiplier(const ConeProgram<Rows, Forces>& program, const InteriorPointSettings& solver,
                       LimitAnalysis& effort)
@@ -35,11 +35,20 @@ double safeMultiplier(const ConeProgram<Rows, Forces>& program, const InteriorPo
         Strength& strength = smooth.strength[point];
         strength.cohesion = std::max(0.0, strength.cohesion - program.friction[point] * strength.tension);
     }
-    const LimitAnalysis analysis = solveLimitAnalysis(smooth, solver);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    SymbolicAnalysis kept;
+    const LimitAnalysis analysis = solveLimitAnalysis(smooth, solver, &kept);
     addWork(effort, analysis);
-    return analysis.status == CollapseStatus::optimal     ? analysis.alpha
-           : analysis.status == CollapseStatus::unbounded ? std::numeric_limits<double>::infinity()
-                                                          : -std::numeric_limits<double>::infinity();
+    if (analysis.status != CollapseStatus::unstable)
+    {
+        return analysis.status == CollapseStatus::optimal     ? analysis.alpha
+               : analysis.status == CollapseStatus::unbounded ? infinity
+                                                              : -infinity;
+    }
+    // The live load may hold what falls without it. That it can be carried by itself says nothing without a
+    // multiplier with which the dead load is carried too: the least one.
+    const std::optional<MultiplierRange> held = multipliersThatHold(smooth, solver, kept);
+    return held && held->least > -infinity ? held->largest : -infinity;
 }
 
 /// The moves of a search, in their order, until there is a pair. \param ofAssociative how the associative

@@ -79,13 +79,15 @@ void declare(Options& options, NonAssociativeSettings& settings);
 /// highest of them. Without any pair the result is `upperBound`: forces, mechanism and certificate of the
 /// associative collapse, which no pair exceeds. A search whose time is over ends at the next piece of a path,
 /// step or exchange, with what it has met until then. What the friction cones cannot carry is `unstable` with
-/// either law; `unbounded` means that the associative law has no collapse and no other was met.
+/// either law; `unbounded` means that joints without friction stand with multipliers as large as may be,
+/// which proves that there is no pair.
 ///
 /// Where no pair is met the range says from where on there may be one. A pair of Coulomb's law has
 /// (c - c')'A'y >= 0 for all forces c' with |c'_t| <= C - mu T, -T <= c'_n <= N: where a point opens, c_n is
 /// -T and so the least, where it slides, c't = (C + mu c_n)|s| is the larger work. With A c = f + alpha L,
 /// A c' = f + alpha' L and L'y = 1 that is alpha >= alpha' (Radenkovic 1961): no pair is below the greatest
-/// alpha' of joints without friction. \throws std::invalid_argument for a program with gaps
+/// alpha' of joints without friction, whether or not these stand without the live load. \throws
+/// std::invalid_argument for a program with gaps
 template<int Rows, int Forces>
 LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
                                   const NonAssociativeSettings& settings = {},

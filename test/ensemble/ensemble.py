@@ -218,6 +218,30 @@ class Ensemble(CaseTest):
         self.edit(case, "system/blockTextureDict", "($unitLength", "(#calc \"$unitLength\"")
         self.assertIn(": system/blockTextureDict has changed.", self.run_(case, status=1).stderr)
 
+    def testACaseThatIsEditedMeanwhileHasNoSamplesOfBoth(self):
+        for applications in ("blockTexture limitAnalysis \"./edit\"", "\"./edit\" blockTexture limitAnalysis"):
+            case = self.case("edited" + str(len(os.listdir(self.root.name))), applications=applications, samples=40)
+            loads = self.read(case, "constant/loads")
+            with open(os.path.join(case, "edit"), "w", encoding="utf-8") as file:
+                # The tenth sample, as the others, is computed in a copy of the case; it edits the case itself.
+                file.write(f"#!/bin/bash\necho >> {self.root.name}/calls\n"
+                           f"[ $(wc -l < {self.root.name}/calls) = 10 ] || exit 0\n"
+                           f"sed -i 's/(1 0 0)/(-1 0.5 0)/' {case}/constant/loads\n")
+            os.chmod(os.path.join(case, "edit"), 0o755)
+            if os.path.exists(os.path.join(self.root.name, "calls")):
+                os.remove(os.path.join(self.root.name, "calls"))
+            stopped = self.run_(case, "-jobs", "1", status=1).stderr
+            self.assertIn("constant/loads has changed", stopped)
+            self.assertIn("Restore what was there to continue", stopped)
+            self.assertLess(self.rowsOf(case), 10)
+            self.assertFalse(os.path.exists(os.path.join(case, "postProcessing/ensemble/0/samples.dat")))
+            with open(os.path.join(case, "constant/loads"), "w", encoding="utf-8") as file:
+                file.write(loads)
+            self.run_(case)
+            whole = self.case("unedited" + str(len(os.listdir(self.root.name))), samples=40)
+            self.run_(whole)
+            self.assertEqual(self.table(case), self.table(whole))
+
     def testFilesThatScriptsAndDictionariesReadCount(self):
         case = self.case("scripts", samples=2, design="random", applications='"./prepare" blockTexture limitAnalysis')
         os.makedirs(os.path.join(case, "../common"))

@@ -99,6 +99,27 @@ TEST_F(JournalTest, RowsOfOlderVersionsHaveNoFingerprint)
     EXPECT_EQ(doubts[0].place.line, 3);
 }
 
+// As where the folders of two machines are put together, and what they were computed from differs.
+TEST_F(JournalTest, AJournalOfAnotherEnsembleIsNamedAndNotUsed)
+{
+    const auto write = [this](const std::string& plan, long sample)
+    {
+        writeWholeFile(folder / "plan", plan);
+        Journal journal(folder / fmt::format("journal.{}", sample));
+        journal.add(sample, {SampleStatus::done, 1, 0.25, {0.1, 0.2}});
+        journal.sync();
+    };
+    write("variables 1\n", 7);
+    write("variables 2\n", 8);
+    const auto rows = read();
+    EXPECT_EQ(rows.size(), 4u); // those of journal.a say nothing of their plan
+    EXPECT_FALSE(rows.count(7));
+    EXPECT_TRUE(rows.count(8));
+    ASSERT_EQ(doubts.size(), 1u);
+    EXPECT_THAT(doubts[0].text, HasSubstr("1 row of this journal is of another ensemble"));
+    EXPECT_EQ(doubts[0].place.file, (folder / "journal.7").string());
+}
+
 TEST_F(JournalTest, TwoRowsOfASampleThatDifferAreQuestioned)
 {
     writeWholeFile(folder / "journal.b",

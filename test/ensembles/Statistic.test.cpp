@@ -324,6 +324,39 @@ TEST(DistributionStatistic, HasMomentsAndFractiles)
                 11 * values[2], 1e-9);
 }
 
+TEST(DistributionStatistic, CountsInfiniteValuesAmongTheLargestInFractilesAlone)
+{
+    // As where no load makes some of the structures collapse.
+    std::vector<double> values;
+    for (int i = 0; i < 101; ++i)
+    {
+        values.push_back(i < 81 ? i + 1 : HUGE_VAL);
+    }
+    const SampleTable table = tableOf(values, values);
+    const StatisticResult result =
+        evaluated("type distribution; value y; fractiles (0.1 0.5 0.805 0.9);", table);
+    EXPECT_EQ(rowOf(result, "samples").value, 81);
+    EXPECT_EQ(rowOf(result, "notFinite").value, 20);
+    EXPECT_NEAR(rowOf(result, "mean").value, 41, 1e-12);
+    EXPECT_EQ(rowOf(result, "maximum").value, 81);
+    EXPECT_NEAR(rowOf(result, "fractile0.1").value, 11, 1e-9);
+    EXPECT_NEAR(rowOf(result, "fractile0.5").value, 51, 1e-9);
+    // Numbers of samples below the median are binomial: 40 to 60 of 101 in 95%.
+    EXPECT_NEAR(rowOf(result, "fractile0.5").lower, 41, 1e-9);
+    EXPECT_NEAR(rowOf(result, "fractile0.5").upper, 61, 1e-9);
+    EXPECT_TRUE(std::isinf(rowOf(result, "fractile0.805").value)); // between 81 and infinity
+    EXPECT_TRUE(std::isinf(rowOf(result, "fractile0.9").value));
+    EXPECT_THAT(result.remarks, testing::Contains(HasSubstr("20 infinite values count in fractiles")));
+    for (double& value : values)
+    {
+        value *= -1;
+    }
+    const StatisticResult least =
+        evaluated("type distribution; value y; fractiles (0.05 0.195);", tableOf(values, values));
+    EXPECT_EQ(rowOf(least, "fractile0.05").value, -HUGE_VAL);
+    EXPECT_EQ(rowOf(least, "fractile0.195").value, -HUGE_VAL); // between that and -81
+}
+
 TEST(DistributionStatistic, HasTheIntervalOfTheDeviationForAnyNumberOfSamples)
 {
     // For 2320 degrees of freedom GSL's inverse of the chi-squared distribution does not converge.
@@ -516,6 +549,16 @@ TEST(FragilityStatistic, LeavesOutSamplesWithoutAnIntensity)
                   tableOf({1, 1, 2, 2, 3, 3}, {0, 1, 0, 1, 1, 1}));
     EXPECT_EQ(rowOf(result, "theta").value, rowOf(others, "theta").value);
     EXPECT_EQ(rowOf(result, "failed").value, 1);
+    EXPECT_THAT(result.remarks, testing::Contains(HasSubstr("1 samples without x are left out")));
+}
+
+TEST(FragilityStatistic, LeavesOutSamplesOfInfiniteIntensity)
+{
+    const char* statistic = "type fragility; intensity x; exceeded \"y > 0.5\"; bootstrap 0;";
+    const StatisticResult result =
+        evaluated(statistic, tableOf({1, 1, 2, 2, HUGE_VAL, 3, 3}, {0, 1, 0, 1, 0, 1, 1}));
+    const StatisticResult others = evaluated(statistic, tableOf({1, 1, 2, 2, 3, 3}, {0, 1, 0, 1, 1, 1}));
+    EXPECT_EQ(rowOf(result, "theta").value, rowOf(others, "theta").value);
     EXPECT_THAT(result.remarks, testing::Contains(HasSubstr("1 samples without x are left out")));
 }
 

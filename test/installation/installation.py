@@ -45,6 +45,18 @@ class Installation(unittest.TestCase):
         if os.path.exists(os.path.join(build, "share/drystone/viewer.js")):
             self.assertIn(os.path.join(self.prefix, "share/drystone/viewer.js"), files)
 
+    def testEveryFileIsOfAComponent(self):
+        """Packages are made of components, and what is of none would be in no package."""
+        def filesIn(prefix):
+            return {os.path.relpath(os.path.join(folder, name), prefix)
+                    for folder, _, names in os.walk(prefix) for name in names}
+
+        parts = os.path.join(self.root.name, "parts")
+        for component in ("applications", "python", "development"):
+            subprocess.run([cmake, "--install", build, "--component", component, "--prefix", parts], check=True,
+                           stdout=subprocess.DEVNULL)
+        self.assertEqual(filesIn(self.prefix) - filesIn(parts), set())
+
     def testLinksOfTheDocumentationLeadSomewhere(self):
         documents = os.path.join(self.prefix, "share/doc/drystone")
         for name in ("README.md", "GUIDE.md", "CONTRIBUTING.md", "tutorials/README.md"):

@@ -7,6 +7,7 @@ the test is skipped (77).
 fullDisk.py BIN TUTORIALS
 """
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -73,6 +74,23 @@ def main():
         assert done.returncode == 1, done.stdout[-500:] + done.stderr
         assert "ended with exit status 1" in done.stderr and "Make room on the disk" in done.stderr, done.stderr
         assert "Evaluation 1:" not in done.stdout and "angle = 147.26" in done.stdout, done.stdout
+        # Journals of an ensemble that do not fit: the worker that finds it has no room either to say so in its file.
+        ensemble = os.path.join(root, "ensemble")
+        shutil.copytree(os.path.join(tutorials, "limitAnalysis/masonryPanels/wall1"), ensemble,
+                        ignore=shutil.ignore_patterns("VTK", "postProcessing", "log.*", "assembly"))
+        with open(os.path.join(ensemble, "system/ensembleDict"), "w", encoding="utf-8") as file:
+            file.write("""applications (blockTexture limitAnalysis);
+variables { seed { file "constant/contactProperties"; entry "friction/mu";
+                   distribution { type uniform; minimum 0.5; maximum 0.7; } } }
+design { type random; samples 8000; }
+results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; column alpha; } }
+""")
+        run = os.path.join(applications, "ensemble") + " -case ensemble -jobs 2"
+        done = mounted(disk, "200k", f'cp -r "{ensemble}" . && {run}')
+        print("ensemble", done.returncode, done.stderr.splitlines()[-7:])
+        assert done.returncode == 1, done.stdout[-500:] + done.stderr
+        assert "A worker process cannot go on" in done.stderr, done.stderr
+        assert re.search(r"Cannot write ensemble/\S*/journal\.\S*: No space left on device", done.stderr), done.stderr
         # On a disk that has room the run ends well.
         run = os.path.join(applications, "contactDynamics") + " -case case"
         done = mounted(disk, "200m", f'cp -r "{case}" . && {run}')

@@ -150,6 +150,33 @@ class ParameterSearch(CaseTest):
         done = self.run_(case, status=1)
         self.assertIn(f"history.dat at line {lines + 1}.", done.stderr)
 
+    def testACaseThatIsEditedMeanwhileHasNoPointsOfBoth(self):
+        whole = self.case("unedited")
+        self.run_(whole)
+        for attempt in range(10):  # on a busy machine a search may end before this process comes to edit its case
+            case = self.case(f"edited{attempt}")
+            properties = self.read(case, "constant/contactProperties")
+            with subprocess.Popen([os.path.join(applications, "parameterSearch"), "-case", case],
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+                for line in process.stdout:
+                    if line.startswith("Evaluation 3:"):
+                        with open(os.path.join(case, "constant/contactProperties"), "w", encoding="utf-8") as file:
+                            file.write(properties.replace("0.65", "0.3"))
+                        break
+                _, stopped = process.communicate(timeout=60)
+            if process.returncode != 0:
+                break
+        self.assertEqual(process.returncode, 1, stopped)
+        self.assertIn("constant/contactProperties has changed", stopped)
+        self.assertIn("Restore what was there to continue", stopped)
+        known = self.rows(case)
+        self.assertGreaterEqual(len(known), 3)
+        self.assertEqual(known, self.rows(whole)[:len(known)])
+        with open(os.path.join(case, "constant/contactProperties"), "w", encoding="utf-8") as file:
+            file.write(properties)
+        self.run_(case)
+        self.assertEqual(self.rows(case), self.rows(whole))
+
     def testAResultThatIsNotThereEndsTheSearchUnlessOtherwiseIsGiven(self):
         case = self.case("unbounded", bounds="-90 -80", algorithm="DIRECT_L", evaluations="4")
         done = self.run_(case, status=1)

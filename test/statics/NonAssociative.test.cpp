@@ -268,6 +268,29 @@ TEST(NonAssociative, LeavesUnstableWhatIsUnstable)
     EXPECT_LE(result.certificate.worst(), 1e-9);
 }
 
+TEST(NonAssociative, ALoadThatNeedsNoFrictionFromSomeMultiplierOnHasProvablyNoCollapse)
+{
+    // A block that friction alone holds, as 0.3 of its weight draws it away from a wall that the live load
+    // presses it against: without friction it stands from 0.3 on.
+    Assembly<2> assembly;
+    assembly.supports = {{"ground", "ground"}};
+    assembly.blocks = {rectangle(0, 0, 1, 1), rectangle(1, 0, 1, 1, 0), rectangle(-1, -1, 3, 0, 0)};
+    const WeighedStructure structure(std::move(assembly));
+    LoadVectors loads = structure.weightLoads();
+    loads.dead -= 0.3 * loads.live;
+    const LimitAnalysis result = solveNonAssociative(structure.program(0.65, loads));
+    EXPECT_EQ(result.status, CollapseStatus::unbounded);
+    ASSERT_TRUE(result.coulomb.has_value());
+    EXPECT_TRUE(std::isinf(result.coulomb->safe));
+    EXPECT_LE(result.certificate.worst(), 1e-9);
+    // A live load that draws it away from there makes it slide.
+    loads.dead += 0.6 * loads.live;
+    loads.live *= -1;
+    const LimitAnalysis drawn = solveNonAssociative(structure.program(0.65, loads));
+    EXPECT_EQ(drawn.status, CollapseStatus::optimal);
+    EXPECT_NEAR(drawn.alpha, 0.3 + 0.65, 1e-6);
+}
+
 TEST(NonAssociative, ResidualsSeeWhatIsNotCoulombs)
 {
     const WeighedStructure structure = standing(paperWalls()[2].bond);
