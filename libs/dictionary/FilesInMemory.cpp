@@ -36,6 +36,16 @@ FilesInMemory::~FilesInMemory()
     ofThisThread() = nullptr;
 }
 
+FilesOnDisk::FilesOnDisk() : hidden(ofThisThread())
+{
+    ofThisThread() = nullptr;
+}
+
+FilesOnDisk::~FilesOnDisk()
+{
+    ofThisThread() = hidden;
+}
+
 void FilesInMemory::set(const std::filesystem::path& file, std::string text)
 {
     const std::string name = nameOf(file);

@@ -45,6 +45,19 @@ private:
     std::map<std::string, Kept> dictionaries;
 };
 
+/// As long as it lives, this thread reads what is on the disk, whatever is in memory.
+class FilesOnDisk
+{
+public:
+    FilesOnDisk();
+    ~FilesOnDisk();
+    FilesOnDisk(const FilesOnDisk&) = delete;
+    FilesOnDisk& operator=(const FilesOnDisk&) = delete;
+
+private:
+    FilesInMemory* hidden;
+};
+
 /// Whether a file has a text in memory: it then need not be on the disk.
 bool isInMemory(const std::filesystem::path& file);
 

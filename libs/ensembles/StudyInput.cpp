@@ -5,6 +5,7 @@
 #include "core/Error.h"
 #include "core/WholeFile.h"
 #include "dictionary/Dictionary.h"
+#include "dictionary/FilesInMemory.h"
 #include "ensembles/CaseRuns.h"
 #include "runControl/CaseFiles.h"
 
@@ -333,6 +334,7 @@ std::string InputWatch::change()
     {
         return "";
     }
+    const FilesOnDisk disk; // a sample's own entries are in memory
     std::vector<InputFile> read = inputOfStudy(caseDirectory, runs);
     std::string changes = changedInput(before, inputLines(read, mark), mark);
     if (changes.empty())

@@ -41,6 +41,12 @@ TEST(FilesInMemory, TakeThePlaceOfThoseOnTheDisk)
         files.set(folder / "new", "y 3;");
         EXPECT_TRUE(isInMemory(folder / "new"));
         EXPECT_EQ(Dictionary::readFileIfPresent(folder / "new").get<int>("y"), 3);
+        {
+            const FilesOnDisk disk;
+            EXPECT_EQ(Dictionary::readFile(folder / "a").get<int>("x"), 1);
+            EXPECT_FALSE(isInMemory(folder / "new"));
+        }
+        EXPECT_EQ(Dictionary::readFile(folder / "a").get<int>("x"), 2);
     }
     EXPECT_EQ(Dictionary::readFile(folder / "a").get<int>("x"), 1);
     EXPECT_TRUE(Dictionary::readFileIfPresent(folder / "new").empty());

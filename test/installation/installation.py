@@ -49,7 +49,7 @@ class Installation(unittest.TestCase):
         """Packages are made of components, and what is of none would be in no package."""
         def filesIn(prefix):
             return {os.path.relpath(os.path.join(folder, name), prefix)
-                    for folder, _, names in os.walk(prefix) for name in names}
+                    for folder, _, names in os.walk(prefix) for name in names if not name.endswith(".pyc")}
 
         parts = os.path.join(self.root.name, "parts")
         for component in ("applications", "python", "development"):
