@@ -122,7 +122,7 @@ std::vector<std::string> eventsOf(const DynamicCase<Dim>& scene, const Motion<Di
 {
     const StepResiduals& residuals = motion.residuals;
     std::vector<std::string> events;
-    if (residuals.flowError > scene.schemes.contactTolerance * scene.blockSize)
+    if (missesFlow(scene, residuals.flowError))
     {
         events.push_back(fmt::format("Coulomb's law is satisfied to {:.2g} m of dilatancy after {} programs",
                                      residuals.flowError, residuals.programs));

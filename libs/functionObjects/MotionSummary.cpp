@@ -31,9 +31,12 @@ double MotionSummary<Dim>::speedOf(const DynamicState<Dim>& state, int free) con
 }
 
 template<int Dim>
-void MotionSummary<Dim>::observe(const DynamicState<Dim>& state)
+void MotionSummary<Dim>::observe(const DynamicState<Dim>& state, double flowError)
 {
     isObserved = true;
+    ++steps;
+    stepsThatMiss += missesFlow(scene, flowError);
+    largestMissed = std::max(largestMissed, flowError);
     double speed = 0;
     for (std::size_t block = 0; block < scene.free.size(); ++block)
     {
@@ -114,6 +117,16 @@ std::vector<std::string> MotionSummary<Dim>::lines(const DynamicState<Dim>& last
     text.push_back(
         fmt::format("Farther from their places than half the mean block size of {:.3g} m: {} of {} blocks",
                     scene.blockSize, away, freeBlocks));
+    if (stepsThatMiss > 0)
+    {
+        const std::string others =
+            stepsThatMiss < steps
+                ? fmt::format(", in the others to {:.2g} m", scene.schemes.contactTolerance * scene.blockSize)
+                : "";
+        text.push_back(fmt::format("Coulomb's law is satisfied to {:.2g} m of dilatancy in {} of {} steps{}: "
+                                   "shorter steps miss it by less",
+                                   largestMissed, stepsThatMiss, steps, others));
+    }
     return text;
 }
 

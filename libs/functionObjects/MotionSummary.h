@@ -14,6 +14,14 @@ namespace drystone
 /// which blocks turn over, are wrong by about as much.
 constexpr double mostSmallDisplacement = 0.05;
 
+/// Whether a step misses Coulomb's law by so much that it is said: by more than gaps may be off.
+/// \param flowError see StepResiduals [m]
+template<int Dim>
+bool missesFlow(const DynamicCase<Dim>& scene, double flowError)
+{
+    return flowError > scene.schemes.contactTolerance * scene.blockSize;
+}
+
 /// Largest displacement of a mass centre during a run and the state at its end. Holds a reference to the
 /// scene. Displacements are from the structure as built, relative to the ground.
 template<int Dim>
@@ -22,12 +30,13 @@ class MotionSummary
 public:
     explicit MotionSummary(const DynamicCase<Dim>& dynamicCase);
 
-    /// To be called at the end of each step.
-    void observe(const DynamicState<Dim>& state);
+    /// To be called at the end of each step. \param flowError of it (StepResiduals) [m]
+    void observe(const DynamicState<Dim>& state, double flowError = 0);
 
     /// `Largest displacement: 0.0402 m, block 12, at 1.34 s`, and whether the blocks rest at the end, have
     /// come to rest, or move. They rest when all are slower than restSpeed, and have been for so long that
-    /// this is no turning point of a block that rocks. None before the first step.
+    /// this is no turning point of a block that rocks. Then, where steps miss Coulomb's law, how many do, and
+    /// by how much. None before the first step.
     std::vector<std::string> lines(const DynamicState<Dim>& last) const;
 
     /// With `smallDisplacements yes;`: that a block has moved or turned so far that contact points and lever
@@ -51,6 +60,9 @@ private:
     double fastest = 0;    ///< speed at any time of the run [m/s]
     double restsSince = 0; ///< end of the first step from which no block was faster than restSpeed [s]
     bool rests = false;
+    int steps = 0;
+    int stepsThatMiss = 0;    ///< Coulomb's law
+    double largestMissed = 0; ///< of it [m]
 };
 
 } // namespace drystone

@@ -266,7 +266,7 @@ PushoverContacts<3>::Touch PushoverContacts<3>::setTouch(const Assembly<3>& now,
         point.position = *ofNeighbour;
         point.normal = -faceNormal(own, patch.face);
     }
-    else if (!ofBlock)
+    else
     {
         point.normal =
             acrossEdges(edgeAcross(own, patch.face, point.position, patch.normal),

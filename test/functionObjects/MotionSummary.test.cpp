@@ -89,6 +89,19 @@ TEST(MotionSummary, ATurningPointIsNoRest)
     EXPECT_THAT(lines.at(1), StartsWith("The blocks are at rest since 1 s, which may be a turning point"));
 }
 
+TEST(MotionSummary, SaysHowManyStepsMissCoulombsLaw)
+{
+    const DynamicCase<2> scene = stack(); // gaps may be off by 1e-7 m
+    MotionSummary<2> summary(scene);
+    summary.observe(upperAt(scene, 0.5, 0.3, 0.2), 9e-8);
+    summary.observe(upperAt(scene, 0.6, 0.4, 0.2), 3e-6);
+    const DynamicState<2> last = upperAt(scene, 0.7, 0.5, 0.2);
+    summary.observe(last, 2e-7);
+    EXPECT_EQ(summary.lines(last).back(),
+              "Coulomb's law is satisfied to 3e-06 m of dilatancy in 2 of 3 steps, in "
+              "the others to 1e-07 m: shorter steps miss it by less");
+}
+
 TEST(MotionSummary, SmallDisplacementsThatAreNotSmallAreQuestioned)
 {
     DynamicCase<2> scene = stack();

@@ -75,7 +75,7 @@ int runIn(const CommandLine& commandLine)
             results.finish();
             throw FatalError(unsolvedStep(scene, motion, time), 2);
         }
-        summary.observe(motion.state);
+        summary.observe(motion.state, motion.residuals.flowError);
         results.write();
         printStep(scene, motion, time);
         progress.update(time.progress());
