@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <ctime>
 #include <new>
 #include <optional>
@@ -339,6 +341,25 @@ void work(const Ensemble& ensemble, const SampleStore& store, const Worker& work
         ::_exit(3);
     }
     ::_exit(0);
+}
+
+void removeCopiesOfTheDead(const fs::path& folder, const std::string& prefix)
+{
+    std::error_code error;
+    std::vector<fs::path> left;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    {
+        const std::string name = entry->path().filename().string();
+        const int process = name.starts_with(prefix) ? std::atoi(name.c_str() + prefix.size()) : 0;
+        if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH)
+        {
+            left.push_back(entry->path());
+        }
+    }
+    for (const fs::path& copy : left)
+    {
+        fs::remove_all(copy, error);
+    }
 }
 
 } // namespace drystone

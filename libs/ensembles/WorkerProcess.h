@@ -53,4 +53,8 @@ void redirect(const std::filesystem::path& file, int descriptor);
 [[noreturn]] void work(const Ensemble& ensemble, const SampleStore& store, const Worker& worker,
                        const std::map<long, SampleRow>& knownBefore);
 
+/// Copies of the case that programs of this machine have left when they were killed. \param prefix of their
+/// names, before the number of the process
+void removeCopiesOfTheDead(const std::filesystem::path& folder, const std::string& prefix);
+
 } // namespace drystone

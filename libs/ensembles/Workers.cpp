@@ -13,7 +13,6 @@
 #include <atomic>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <fstream>
@@ -54,7 +53,7 @@ public:
         }
         compareChunksWithJournals();
         const std::string host = hostName();
-        removeCopiesOfTheDead(fmt::format("case.{}.", host));
+        removeCopiesOfTheDead(store.folder(), fmt::format("case.{}.", host));
         for (int i = 0; i < settings.jobs; ++i)
         {
             Worker worker;
@@ -129,27 +128,6 @@ public:
     }
 
 private:
-    /// Copies of the case that programs of this machine have left when they were killed.
-    void removeCopiesOfTheDead(const std::string& prefix) const
-    {
-        std::error_code error;
-        std::vector<fs::path> left;
-        for (fs::directory_iterator entry(store.folder(), error), end; !error && entry != end;
-             entry.increment(error))
-        {
-            const std::string name = entry->path().filename().string();
-            const int process = name.starts_with(prefix) ? std::atoi(name.c_str() + prefix.size()) : 0;
-            if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH)
-            {
-                left.push_back(entry->path());
-            }
-        }
-        for (const fs::path& copy : left)
-        {
-            fs::remove_all(copy, error);
-        }
-    }
-
     static Activity* mapped(int jobs)
     {
         void* memory = ::mmap(nullptr, sizeof(Activity) * static_cast<std::size_t>(jobs),
