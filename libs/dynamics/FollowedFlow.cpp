@@ -91,16 +91,20 @@ struct FlowStage
     bool isLast;
 };
 
+/// The work of the step so far.
+template<int Dim>
+double workDone(const FollowedFlow<Dim>& flow)
+{
+    return workOf(flow.step.iterations, flow.step.factorisations, flow.program.points(), flow.program.bodies);
+}
+
 /// How many factorisations paths may still take.
 template<int Dim>
 int factorisationsLeft(const FollowedFlow<Dim>& flow)
 {
-    const int points = flow.program.points();
-    const int bodies = flow.program.bodies;
-    const double left =
-        flow.mostWork - workOf(flow.step.iterations, flow.step.factorisations, points, bodies);
-    return static_cast<int>(
-        std::clamp<double>(left / workOf(1, 1, points, bodies), 0, std::numeric_limits<int>::max()));
+    const double left = flow.mostWork - workDone(flow);
+    const double ofOne = workOf(1, 1, flow.program.points(), flow.program.bodies);
+    return static_cast<int>(std::clamp<double>(left / ofOne, 0, std::numeric_limits<int>::max()));
 }
 
 /// Takes the overlaps c/k away: with gaps that are smaller by them points carry the same forces where they
@@ -179,8 +183,7 @@ bool followFromAfar(FollowedFlow<Dim>& flow, ConeSolution& solution, const ConeS
     const StepWork* work = flow.problem.settings.work;
     if (Dim == 3 && work)
     {
-        const double done = workOf(flow.step.iterations, flow.step.factorisations, flow.program.points(),
-                                   flow.program.bodies);
+        const double done = workDone(flow);
         flow.mostWork = done + partOfWork * std::max(0.0, work->mostOfAttempt - work->done - done);
     }
     const StepProgram<Dim>& program = flow.problem.program;

@@ -299,10 +299,7 @@ Evaluation evaluateComputed(RunningSearch& running, const std::vector<double>& v
     const ParameterSearch& search = running.search;
     if (const std::string change = running.input.change(); !change.empty())
     {
-        throw FatalError(fmt::format("The case is not what it was when the search was begun: {}. Points of "
-                                     "before are kept. Restore what was there to continue, or remove "
-                                     "postProcessing/parameterSearch to start again.",
-                                     change));
+        throw FatalError(editedCaseText(change, "the search was", "Points", parameterSearchName));
     }
     requireComputable(running, variables, run);
     const Evaluation found = evaluate(search.settings, variables,

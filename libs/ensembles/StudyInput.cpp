@@ -286,6 +286,15 @@ std::string inputLines(const std::vector<InputFile>& files, const std::string& m
     return text;
 }
 
+std::string editedCaseText(const std::string& change, const std::string& begun, const std::string& kept,
+                           const std::string& study)
+{
+    return fmt::format(
+        "The case is not what it was when {} begun: {}. {} of before are kept. Restore what was "
+        "there to continue, or remove postProcessing/{} to start again.",
+        begun, change, kept, study);
+}
+
 InputWatch::InputWatch(fs::path watchedCase, StudyRuns runsOfStudy, std::string lines,
                        std::string markOfLines)
     : caseDirectory(std::move(watchedCase)),

@@ -44,6 +44,11 @@ bool hasInputLines(const std::string& text, const std::string& mark = "");
 /// \param mark before each of the lines
 std::string changedInput(const std::string& before, const std::string& now, const std::string& mark = "");
 
+/// Why a study ends whose case has been edited meanwhile. \param begun as `the search was` \param kept what
+/// it has found so far \param study its folder in postProcessing
+std::string editedCaseText(const std::string& change, const std::string& begun, const std::string& kept,
+                           const std::string& study);
+
 /// Sees that the input of a study is what it was when the study began: somebody may edit the case meanwhile,
 /// and runs read it anew each.
 class InputWatch

@@ -212,11 +212,7 @@ void requireSameInput(InputWatch& input, Journal& journal)
     if (const std::string change = input.change(); !change.empty())
     {
         journal.sync();
-        throw FatalError(
-            fmt::format("The case is not what it was when the samples were begun: {}. Samples of "
-                        "before are kept. Restore what was there to continue, or remove "
-                        "postProcessing/ensemble to start again.",
-                        change));
+        throw FatalError(editedCaseText(change, "the samples were", "Samples", "ensemble"));
     }
 }
 

@@ -33,7 +33,6 @@ double MotionSummary<Dim>::speedOf(const DynamicState<Dim>& state, int free) con
 template<int Dim>
 void MotionSummary<Dim>::observe(const DynamicState<Dim>& state, double flowError)
 {
-    isObserved = true;
     ++steps;
     stepsThatMiss += missesFlow(scene, flowError);
     largestMissed = std::max(largestMissed, flowError);
@@ -71,7 +70,7 @@ void MotionSummary<Dim>::observe(const DynamicState<Dim>& state, double flowErro
 template<int Dim>
 std::vector<std::string> MotionSummary<Dim>::lines(const DynamicState<Dim>& last) const
 {
-    if (!isObserved)
+    if (steps == 0)
     {
         return {};
     }

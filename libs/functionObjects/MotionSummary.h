@@ -51,7 +51,6 @@ private:
     double speedOf(const DynamicState<Dim>& state, int free) const;
 
     const DynamicCase<Dim>& scene;
-    bool isObserved = false;
     double largest = 0; ///< [m]
     int farthestBlock = -1;
     double timeOfLargest = 0;
@@ -60,7 +59,7 @@ private:
     double fastest = 0;    ///< speed at any time of the run [m/s]
     double restsSince = 0; ///< end of the first step from which no block was faster than restSpeed [s]
     bool rests = false;
-    int steps = 0;
+    int steps = 0;            ///< observed
     int stepsThatMiss = 0;    ///< Coulomb's law
     double largestMissed = 0; ///< of it [m]
 };
