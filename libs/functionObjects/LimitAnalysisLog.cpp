@@ -123,6 +123,12 @@ void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
              range.starts < manyStarts ? ", of which more may find lower ones" : "",
              result.isReversed ? "a lower" : "an upper", alphaText(range.associative));
     }
+    else if (result.status == CollapseStatus::unbounded)
+    {
+        info(
+            "Coulomb's law: provably no collapse, as joints without friction stand under any multiple of the "
+            "live load");
+    }
     else
     {
         info("Coulomb's law: no collapse found on which the live load does work ({} starts); its multiplier "

@@ -35,12 +35,17 @@ constexpr double firstPenalty = 5;
 /// Forces at the start of a path are moved inwards by this share of those for the dead load.
 constexpr double inwards = 0.01;
 
-/// Every so many paths begin with other forces for the dead load, from a random objective.
-constexpr int pathsToOtherForces = 8;
+/// Every so many paths begin with other forces for the dead load, from a random objective: those that end
+/// lowest mostly do.
+constexpr int pathsToOtherForces = 3;
 
 /// Dilatancy of blocks that fall: first, and what remains of it in the pair, as a share of the tolerance.
 constexpr double wedging = 3e-2;
 constexpr double remainingDilatancy = 0.1;
+
+/// Factorisations times contact points that take some two milliseconds, in space some fifty.
+template<int Forces>
+constexpr double cheapWork = Forces == 2 ? 15000 : 100000;
 
 /// Tolerance of programs whose forces are nothing but a start.
 constexpr double startTolerance = 1e-6;
@@ -106,6 +111,12 @@ bool CollapseSearch<Rows, Forces>::isOver()
 }
 
 template<int Rows, int Forces>
+bool CollapseSearch<Rows, Forces>::isCheap() const
+{
+    return static_cast<double>(effort.factorisations) * given.points() < cheapWork<Forces>;
+}
+
+template<int Rows, int Forces>
 void CollapseSearch<Rows, Forces>::go(int number)
 {
     ++range.starts;
@@ -137,6 +148,10 @@ void CollapseSearch<Rows, Forces>::go(int number)
         return;
     }
     range.converged += follow(from, settings) || (wedges && !lowest.exists() && followWedged(from, settings));
+    if (lowest.exists() && Forces == 3 && !isOver())
+    {
+        tryPressures(number == 0 ? restingStart.contactForce : from.contactForce);
+    }
 }
 
 template<int Rows, int Forces>
@@ -444,6 +459,17 @@ bool CollapseSearch<Rows, Forces>::followWedged(const Start& start, CollapsePath
     CollapsePathSettings little = settings;
     little.dilatancy = settings.finalDilatancy;
     return follow(near, settings) || follow(near, little);
+}
+
+template<int Rows, int Forces>
+void CollapseSearch<Rows, Forces>::tryPressures(const VectorXd& contactForce)
+{
+    std::optional<CoulombPair> pair =
+        mechanismOfPressures<Rows, Forces>(given, contactForce(Eigen::seq(0, Eigen::last, Forces)), solver());
+    if (pair)
+    {
+        descend(std::move(*pair));
+    }
 }
 
 template<int Rows, int Forces>

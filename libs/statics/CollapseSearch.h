@@ -30,6 +30,10 @@ public:
     /// Whether the search has to end, from the first time on that its time is used up or the settings say so.
     bool isOver();
 
+    /// Whether all that has been done so far took no longer than milliseconds, by its factorisations: the
+    /// same on every machine.
+    bool isCheap() const;
+
     /// One path, or programs with cohesion where a path would take too long, and what follows from it.
     void go(int number);
 
@@ -100,6 +104,8 @@ private:
     /// from the start, and from the forces of the associative collapse, where less has to move until all is
     /// wedged.
     bool followWedged(const Start& start, CollapsePathSettings settings);
+    /// From the mechanism that pressures have (mechanismOfPressures) to the pairs nearby, if there are any.
+    void tryPressures(const Eigen::VectorXd& contactForce);
     /// From a pair to lower ones: the least multiplier with its mechanism held, then another mechanism of
     /// those forces, in turn, while the multiplier falls.
     void descend(CoulombPair pair);

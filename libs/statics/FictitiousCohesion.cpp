@@ -83,15 +83,13 @@ std::optional<CoulombPair> takeTurns(const ConeProgram<Rows, Forces>& given, Vec
     double before = std::numeric_limits<double>::infinity();
     for (int turn = 0; turn < mostTurns && !tools.isOver(); ++turn)
     {
-        const ConeSolution moving = tools.exactly(withCohesion(given, {pressure, 0}));
-        const double power = given.liveLoad.dot(moving.displacement);
-        if (moving.status != SolveStatus::optimal || !(power > 0))
+        const std::optional<CoulombPair> moving =
+            mechanismOfPressures<Rows, Forces>(given, pressure, tools.exactly);
+        if (!moving)
         {
             return std::nullopt;
         }
-        CoulombPair pair{moving.multiplier, {}, moving.displacement / power, {}};
-        pair.contactForce = forcesOfRates(given, pair.mechanism);
-        std::optional<CoulombPair> nearest = nearestPair<Rows, Forces>(given, pair, tools.exactly);
+        std::optional<CoulombPair> nearest = nearestPair<Rows, Forces>(given, *moving, tools.exactly);
         if (!nearest || tools.isPair(*nearest))
         {
             return nearest;
@@ -136,6 +134,28 @@ std::optional<CoulombPair> pairByCohesion(const ConeProgram<Rows, Forces>& given
     return std::nullopt;
 }
 
+template<int Rows, int Forces>
+std::optional<CoulombPair> mechanismOfPressures(const ConeProgram<Rows, Forces>& given,
+                                                const VectorXd& pressure,
+                                                const ProgramSolver<Rows, Forces>& solve)
+{
+    const ConeSolution moving = solve(withCohesion(given, {pressure, 0}));
+    const double power = given.liveLoad.dot(moving.displacement);
+    if (moving.status != SolveStatus::optimal || !(power > 0))
+    {
+        return std::nullopt;
+    }
+    CoulombPair pair{moving.multiplier, {}, moving.displacement / power, {}};
+    pair.contactForce = forcesOfRates(given, pair.mechanism);
+    return pair;
+}
+
+template std::optional<CoulombPair> mechanismOfPressures(const PlaneConeProgram& given,
+                                                         const VectorXd& pressure,
+                                                         const ProgramSolver<3, 2>& solve);
+template std::optional<CoulombPair> mechanismOfPressures(const SpaceConeProgram& given,
+                                                         const VectorXd& pressure,
+                                                         const ProgramSolver<6, 3>& solve);
 template std::optional<CoulombPair> pairByCohesion(const PlaneConeProgram& given, const VectorXd& forces,
                                                    const CohesionTools<3, 2>& tools);
 template std::optional<CoulombPair> pairByCohesion(const SpaceConeProgram& given, const VectorXd& forces,

@@ -45,4 +45,13 @@ std::optional<CoulombPair> pairByCohesion(const ConeProgram<Rows, Forces>& given
                                           const Eigen::VectorXd& forces,
                                           const CohesionTools<Rows, Forces>& tools);
 
+/// The mechanism of the program with q = 0, in which each point has the shear that Coulomb's law allows with
+/// pressures n', and the forces that the law names where it opens or crushes: one program, and mostly another
+/// mechanism than that of a path. What else suits it leastPair knows (CoulombExchange.h).
+/// \param pressure n', one a point \return none where that program has no collapse
+template<int Rows, int Forces>
+std::optional<CoulombPair> mechanismOfPressures(const ConeProgram<Rows, Forces>& given,
+                                                const Eigen::VectorXd& pressure,
+                                                const ProgramSolver<Rows, Forces>& solve);
+
 } // namespace drystone

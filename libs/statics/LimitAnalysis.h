@@ -42,8 +42,8 @@ struct CoulombRange
 {
     double associative =
         0; ///< multiplier of the associative law, never below; infinite when that is unbounded
-    /// Multiplier below which nothing collapses, found where no collapse was met: the largest of joints whose
-    /// shear is cohesion alone; minus infinity where these stand with none.
+    /// Multiplier below which nothing collapses, found where no collapse was met or the associative law has
+    /// none: the largest of joints whose shear is cohesion alone; minus infinity where these stand with none.
     double safe = -std::numeric_limits<double>::infinity();
     double lowest = 0;  ///< of the collapses met; infinite where there is none
     double highest = 0; ///< of the collapses met

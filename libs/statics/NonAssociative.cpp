@@ -16,8 +16,9 @@ namespace
 /// Paths besides those asked for, until one has met a pair.
 constexpr int furtherStarts = 4;
 
-/// In space, where paths from starts that differ by rounding end in collapses far apart, others are followed
-/// until so many in a row have not lowered the multiplier by this share, or so many have been followed.
+/// Where all starts so far have cost next to nothing (isCheap), others are followed, up to so many. In space,
+/// where paths from starts that differ by rounding end in collapses far apart, others are also followed until
+/// so many in a row have not lowered the multiplier by this share.
 constexpr int vainStarts = 4;
 constexpr int mostStartsToLower = 16;
 constexpr double leastLowering = 1e-3;
@@ -61,9 +62,8 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
     {
         const int further = start - starts;
         const bool isFound = search.lowest.exists() && !search.isByRefinement;
-        return further < 0
-               || (isFound ? Forces == 3 && vain < vainStarts && further < mostStartsToLower
-                           : further < furtherStarts);
+        const bool goesLower = search.isCheap() || (Forces == 3 && vain < vainStarts);
+        return further < 0 || further < (!isFound ? furtherStarts : goesLower ? mostStartsToLower : 0);
     };
     const auto followStarts = [&]
     {
@@ -137,7 +137,10 @@ void takeBounds(LimitAnalysis& analysis, const ConeProgram<Rows, Forces>& progra
     {
         return;
     }
-    analysis.coulomb->safe = safeMultiplier(program, solver, analysis);
+    if (isBounded)
+    {
+        analysis.coulomb->safe = safeMultiplier(program, solver, analysis);
+    }
     if (isBounded || analysis.coulomb->safe < std::numeric_limits<double>::infinity())
     {
         analysis.status = CollapseStatus::upperBound;
@@ -182,7 +185,14 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
         return result;
     }
     CollapseSearch<Rows, Forces> search(program, settings, solver, result);
-    if (search.findRest())
+    // Where the associative law has no collapse a program or two may prove that there is none, for which a
+    // search would try all its starts in vain.
+    if (result.status == CollapseStatus::unbounded)
+    {
+        search.range.safe = safeMultiplier(program, solver, result);
+    }
+    const bool isProved = search.range.safe == std::numeric_limits<double>::infinity();
+    if (!isProved && search.findRest())
     {
         searchPairs(search, settings.starts, result.status);
     }

@@ -56,6 +56,11 @@ void declare(Options& options, NonAssociativeSettings& settings);
 /// that does not move the points which keep the multiplier from being less; and so on, in turn, until there
 /// is none.
 ///
+/// In space, where blocks turn and slide in more ways than paths from few starts meet, each start is followed
+/// by another mechanism: that of its pressures (mechanismOfPressures of FictitiousCohesion.h), and down from
+/// there. Further starts are followed while all of them cost milliseconds: in small structures the lowest
+/// pair is mostly not that of the first.
+///
 /// With thousands of points a path takes minutes to hours. Starts are then followed by programs of the
 /// associative law with a cohesion in place of friction (FictitiousCohesion.h), whose pairs are those of a
 /// fixed point and not met by loading; paths follow where they lead to none. They are also tried where paths

@@ -371,6 +371,34 @@ TEST(CoulombInSpace, ABoxWithCohesionSlidesAtItsClosedForm)
     }
 }
 
+/// The stone in the middle of three courses, pushed alone along the wall. 600 starts by paths from forces
+/// that carry the dead load end at 1.336 at the lowest; the mechanism of such forces' pressures leads lower.
+TEST(CoulombInSpace, AStoneInAWallIsPushedOutAtNoMoreThanTheLowestKnown)
+{
+    std::vector<Polyhedron> stones;
+    const auto add = [&stones](int course, double from, double to) {
+        stones.push_back(makeBox({from, 0, 0.065 * course}, {to, 0.125, 0.065 * (course + 1)}));
+    };
+    for (const int course : {0, 2})
+    {
+        add(course, 0, 0.25);
+        add(course, 0.25, 0.5);
+    }
+    add(1, 0, 0.125);
+    add(1, 0.125, 0.375);
+    add(1, 0.375, 0.5);
+    constexpr int pushedStone = 5;
+    const Assembly<3> assembly = test::onGround(stones);
+    LoadVectors loads = test::pushed(assembly, {0.996905, 0, -0.0786135});
+    const Eigen::Matrix<double, 6, 1> pushed = loads.live.segment<6>(6 * pushedStone);
+    loads.live.setZero();
+    loads.live.segment<6>(6 * pushedStone) = pushed;
+    const SpaceConeProgram program = test::programOf(assembly, findContactPoints(assembly), 0.497, loads);
+    const LimitAnalysis result = solveNonAssociative(program);
+    expectCoulomb(program, result);
+    EXPECT_LE(result.alpha, 1.2975);
+}
+
 TEST(CoulombInSpace, Wall1ExtrudedIsNoHigherThanInThePlane)
 {
     const SpaceConeProgram program = reference("extrudedWall1", 0.65, {1, 0, 0});

@@ -67,6 +67,31 @@ TEST(NonAssociative, MoreStartsLeadToCollapsesAndToNoneHigherThanTheFirst)
     }
 }
 
+/// A wall of five courses whose lowest right stone alone is drawn out. The stones beside it can carry all
+/// that is above, so that it slides with its own weight: at mu, the least of all pairs (a mixed-integer
+/// program over the states of the points finds none below). Where it carries the wall it is at ten times
+/// that.
+TEST(NonAssociative, AStoneIsDrawnOutOfASmallWallAtItsOwnFriction)
+{
+    constexpr double friction = 0.23;
+    RunningBond bond;
+    bond.unit = {0.424, 0.1666};
+    bond.length = 2;
+    bond.courses = 5;
+    const WeighedStructure structure = standing(bond);
+    LoadVectors loads = structure.weightLoads();
+    constexpr int stone = 2;
+    const Eigen::Vector3d drawn = loads.live.segment<3>(3 * stone);
+    loads.live.setZero();
+    loads.live.segment<3>(3 * stone) = drawn;
+    const PlaneConeProgram program = structure.program(friction, loads);
+    const LimitAnalysis result = solveNonAssociative(program);
+    ASSERT_EQ(result.status, CollapseStatus::optimal);
+    expectCoulomb(program, result);
+    EXPECT_NEAR(result.alpha, friction, 1e-6);
+    EXPECT_GT(result.coulomb->associative, 5 * friction);
+}
+
 TEST(NonAssociative, IsTheSameOnASecondRun)
 {
     const WeighedStructure structure = standing(paperWalls()[4].bond);
@@ -282,6 +307,9 @@ TEST(NonAssociative, ALoadThatNeedsNoFrictionFromSomeMultiplierOnHasProvablyNoCo
     EXPECT_EQ(result.status, CollapseStatus::unbounded);
     ASSERT_TRUE(result.coulomb.has_value());
     EXPECT_TRUE(std::isinf(result.coulomb->safe));
+    EXPECT_EQ(result.coulomb->starts, 0) << "proved without a search";
+    EXPECT_EQ(result.coulomb->converged, 0);
+    EXPECT_TRUE(std::isinf(result.coulomb->lowest));
     EXPECT_LE(result.certificate.worst(), 1e-9);
     // A live load that draws it away from there makes it slide.
     loads.dead += 0.6 * loads.live;

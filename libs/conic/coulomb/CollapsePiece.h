@@ -51,7 +51,14 @@ struct CollapsePiece
     Normal normal = Normal::presses;
     bool isSliding = false;
 
-    static double shearOf(const Force& w) { return w.template tail<shears>().norm(); }
+    static double shearOf(const Force& w)
+    {
+        if constexpr (shears == 1)
+        {
+            return std::abs(w[1]); // no root: each piece of a path asks all points
+        }
+        return w.template tail<shears>().norm();
+    }
 
     /// The piece that w, within the limits or at them, lies on.
     void find(const Force& w)
@@ -173,18 +180,16 @@ struct CollapsePiece
     };
 
     /// The first boundary along w + s rate, s >= 0. \param still rates that are nothing but rounding
-    Exit exit(const Force& w, const Force& rate, double still) const
+    /// \param nearest an exit of another point, returned where this one's is farther
+    Exit exit(const Force& w, const Force& rate, double still, const Exit& nearest = {}) const
     {
-        Exit result;
+        Exit result = nearest;
         const auto meet = [&](double room, double speed, Boundary boundary)
         {
-            if (speed < -still)
+            // A division only for what is nearest so far, which few of the points are.
+            if (speed < -still && std::max(0.0, room) < result.distance * -speed)
             {
-                const double distance = std::max(0.0, room) / -speed;
-                if (distance < result.distance)
-                {
-                    result = {distance, boundary};
-                }
+                result = {std::max(0.0, room) / -speed, boundary};
             }
         };
         const double shearRate = rateOfShear(w, rate);
@@ -250,6 +255,10 @@ private:
     {
         constexpr double none = 1e-13; // of the largest load
         const double size = shearOf(w);
+        if constexpr (shears == 1)
+        {
+            return size > none ? std::copysign(1.0, w[1]) * rate[1] : std::abs(rate[1]);
+        }
         return size > none ? w.template tail<shears>().dot(rate.template tail<shears>()) / size
                            : rate.template tail<shears>().norm();
     }

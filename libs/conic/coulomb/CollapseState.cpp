@@ -148,7 +148,7 @@ CollapseState<Rows, Forces>::firstExit(const VectorXd& rate, double ignored, int
     for (int point = 0; point < count(); ++point)
     {
         const typename Piece::Exit exit =
-            pieces[static_cast<std::size_t>(point)].exit(at(point), partOf(rate, point), ignored);
+            pieces[static_cast<std::size_t>(point)].exit(at(point), partOf(rate, point), ignored, first);
         if (exit.distance < first.distance)
         {
             first = exit;
