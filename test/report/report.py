@@ -233,6 +233,8 @@ results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; colu
         self.edit(case, "constant/materialProperties", "unitWeight", "1000")
         self.edit(case, "system/ensembleDict", "variables/mu/distribution/maximum", "0.5")
         self.checkWarns(case, "other input: .*variables of system/ensembleDict have changed")
+        os.truncate(os.path.join(case, "postProcessing/ensemble/0/work/plan"), 0)
+        self.assertIn("work/plan does not say from which input the results of ensemble were computed", self.run_(case).stdout)
 
     def testHasTheAnswersOfStudiesAlsoWithoutBlocks(self):
         case = self.wall()
