@@ -13,6 +13,9 @@ install(FILES README.md GUIDE.md CHANGELOG.md CONTRIBUTING.md LICENSE CITATION.c
 # Where Debian's Python looks for packages when the prefix is /usr; with another, RunFunctions adds it to PYTHONPATH.
 install(DIRECTORY python/drystone DESTINATION lib/python3/dist-packages COMPONENT python PATTERN "__pycache__" EXCLUDE)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-drystone COMPONENT python)
+# Each package has one (Debian policy, 12.5).
+install(FILES etc/debian/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/drystone)
+install(FILES etc/debian/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-drystone COMPONENT python)
 install(FILES etc/bash_completion DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME blockTexture)
 
 # The libraries, for programs of others: find_package(Drystone), Drystone::statics (test/installation/consumer).

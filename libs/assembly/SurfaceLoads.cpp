@@ -2,11 +2,17 @@
 /// Pressures, integrated over the exposed faces.
 #include "assembly/SurfaceLoads.h"
 
+#include "assembly/BlockShape.h"
 #include "core/Log.h"
+#include "geometry/Box.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 
 namespace drystone
 {
@@ -123,16 +129,52 @@ Tractions<Dim> tractionsOf(const Assembly<Dim>& assembly, const std::vector<Surf
     return backfillTractions(assembly, exposed, settings);
 }
 
-/// Whether settings are of no load: a pressure may be 0, as the first of a series.
+/// What is improbable of a pressure, and the key that it concerns: it may be 0, as the first of a series.
 template<int Dim>
-bool isNothing(const PressureSettings<Dim>& settings)
+std::pair<std::string, std::string> doubtAbout(const Assembly<Dim>&, const Tractions<Dim>&,
+                                               const PressureSettings<Dim>& settings)
 {
-    return settings.value == 0;
+    return {"value", settings.value == 0 ? "A pressure of 0 is no load." : ""};
 }
+
+/// Of a fill: its surface lies on the faces that it is to press on, or far above all blocks, as a level in
+/// millimetres.
 template<int Dim>
-bool isNothing(const BackfillSettings<Dim>&)
+std::pair<std::string, std::string> doubtAbout(const Assembly<Dim>& assembly, const Tractions<Dim>& tractions,
+                                               const BackfillSettings<Dim>& settings)
 {
-    return false;
+    constexpr double noPressure = 1e-6; // [Pa]: rounding of a level at 3 x 0.1
+    const auto presses = [&](const PressedPiece<Dim>& pressed)
+    {
+        return pressed.direction.norm() > 0
+               && std::any_of(pressed.piece.corners.begin(), pressed.piece.corners.end(),
+                              [&](const Vector<Dim>& corner)
+                              { return tractions.pressure(corner) > noPressure; });
+    };
+    if (std::none_of(tractions.pieces.begin(), tractions.pieces.end(), presses))
+    {
+        return {"level", fmt::format("A fill up to {:g} m is no load: the faces that it lies on are as high.",
+                                     settings.level.value_or(0))};
+    }
+    Box<Dim> blocks;
+    for (const Block<Dim>& block : assembly.blocks)
+    {
+        const Box<Dim> box = boundingBox(block);
+        if (block.support < 0)
+        {
+            extend<Dim>(blocks, box.lower);
+            extend<Dim>(blocks, box.upper);
+        }
+    }
+    constexpr double deepest = 20; // [m], and heights of the blocks
+    const double height = blocks.upper[Dim - 1] - blocks.lower[Dim - 1];
+    const double above = settings.level.value_or(0) - blocks.upper[Dim - 1];
+    return {"level", settings.unitWeight > 0 && above > deepest * std::max(1.0, height)
+                         ? fmt::format("The fill is {:.4g} m high above the highest block, and all blocks "
+                                       "together are {:.3g} m high: `level` is a height in metres. It is "
+                                       "used as it stands.",
+                                       above, height)
+                         : ""};
 }
 
 /// A maker that reports where no face is loaded.
@@ -154,9 +196,9 @@ LoadMaker<Dim> surfaceLoad(const Settings& settings, const Dictionary& dictionar
                                "VTK/assembly.vtp shows where the blocks are.",
                                place);
         }
-        if (isNothing(settings))
+        if (const auto [key, doubt] = doubtAbout(context.assembly, tractions, settings); !doubt.empty())
         {
-            printWarningOnce("A pressure of 0 is no load.", places.of("value"));
+            printWarningOnce(doubt, places.of(key));
         }
         for (const std::string& remark : tractions.remarks)
         {

@@ -171,6 +171,10 @@ IncrementalDynamics<Dim> readIncrementalDynamics(const std::filesystem::path& ca
         studyMotions<Dim>(caseDirectory, groundMotionOf(study.scene.effects), settings, dictionary);
     setGroundMotion(study.scene.effects, study.motions.front().ground); // before the effects have states
     study.start = startOrContinue(caseDirectory, study.scene, time);
+    if (const std::string doubt = doubtAboutSupports(study); !doubt.empty())
+    {
+        question({{doubt, dictionary.locationOf("criterion")}});
+    }
     for (const StudyMotion& motion : study.motions)
     {
         question(doubtsAboutTimes(motion.ground, time.controls(), time.controlDict()));
@@ -202,6 +206,40 @@ std::string doubtAboutCriterion(const IncrementalDynamics<Dim>& study)
         "mean block size. Usual there are up to {:g}, or `smallDisplacements no;`, which follows "
         "the blocks.",
         criterion.summary, share, mostSmallDisplacement);
+}
+
+template<int Dim>
+std::string doubtAboutSupports(const IncrementalDynamics<Dim>& study)
+{
+    const Criterion<Dim>& criterion = study.criterion;
+    const bool isTurn = criterion.figure.unit == "rad";
+    if (!traitsOf(study.scene.effects).movesSupports || (!isTurn && criterion.figure.unit != "m"))
+    {
+        return "";
+    }
+    constexpr int parts = 1000;
+    const std::vector<Placement<Dim>>& start = study.start.state.placements;
+    std::vector<Placement<Dim>> placements = start;
+    const double length = (study.controls.endTime - study.startTime.value) / parts;
+    double largest = 0;
+    for (int i = 0; i < parts; ++i)
+    {
+        const double from = study.startTime.value + i * length;
+        moveWithSupports(placements,
+                         supportSteps(study.scene.effects, study.scene, placements, from, from + length));
+        for (std::size_t block = 0; block < placements.size(); ++block)
+        {
+            const Vector<Dim> way = placements[block].translation - start[block].translation;
+            largest = std::max(largest, isTurn ? rowsOf(placements[block].rotation).norm() : way.norm());
+        }
+    }
+    return largest > criterion.limit ? fmt::format(
+               "Supports move by up to {:.3g} {} (constant/supportMotion), beyond the criterion, "
+               "{}: what they carry along meets it however weak the ground's motion is, for "
+               "displacements are relative to the ground. Give a larger limit{}.",
+               largest, criterion.figure.unit, criterion.summary,
+               isTurn ? "" : ", or a criterion of type rotation")
+                                     : "";
 }
 
 template<int Dim>
@@ -376,6 +414,7 @@ void writeIncrementalDynamics(const std::filesystem::path& folder, const Increme
 template IncrementalDynamics<2> readIncrementalDynamics(const std::filesystem::path& caseDirectory,
                                                         Time& time);
 template std::string doubtAboutCriterion(const IncrementalDynamics<2>& study);
+template std::string doubtAboutSupports(const IncrementalDynamics<2>& study);
 template void printStudy(const IncrementalDynamics<2>& study);
 template void printRun(const IncrementalDynamics<2>& study, std::size_t motion, const IncrementalRun& run,
                        const std::string& timeLeft);
@@ -389,6 +428,7 @@ template void writeIncrementalDynamics(const std::filesystem::path& folder,
 template IncrementalDynamics<3> readIncrementalDynamics(const std::filesystem::path& caseDirectory,
                                                         Time& time);
 template std::string doubtAboutCriterion(const IncrementalDynamics<3>& study);
+template std::string doubtAboutSupports(const IncrementalDynamics<3>& study);
 template void printStudy(const IncrementalDynamics<3>& study);
 template void printRun(const IncrementalDynamics<3>& study, std::size_t motion, const IncrementalRun& run,
                        const std::string& timeLeft);

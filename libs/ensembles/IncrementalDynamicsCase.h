@@ -22,6 +22,11 @@ IncrementalDynamics<Dim> readIncrementalDynamics(const std::filesystem::path& ca
 template<int Dim>
 std::string doubtAboutCriterion(const IncrementalDynamics<Dim>& study);
 
+/// That supports move by more than the criterion before endTime, so that blocks which they carry along meet
+/// it by themselves; or empty.
+template<int Dim>
+std::string doubtAboutSupports(const IncrementalDynamics<Dim>& study);
+
 /// Before the first run: effects, motions of the ground, criterion, jobs.
 template<int Dim>
 void printStudy(const IncrementalDynamics<Dim>& study);

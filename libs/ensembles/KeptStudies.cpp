@@ -103,7 +103,11 @@ std::vector<std::string> compareStudies(const fs::path& caseDirectory)
             const std::string mark = isEnsemble ? "" : "# ";
             if (!hasInputLines(notes, mark))
             {
-                continue; // of an older version
+                info("{} does not say from which input the results of {} were computed: it is damaged or "
+                     "gone, "
+                     "or an older version has written it, and changes since are not noticed.",
+                     file.string(), study);
+                continue;
             }
             std::string changes = changedInput(
                 notes, inputLines(inputOfStudy(caseDirectory, runsIn(notes, study)), mark), mark);

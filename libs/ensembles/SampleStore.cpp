@@ -214,10 +214,6 @@ SampleStore::Claim SampleStore::claim(long chunk)
     {
         return Claim::refused;
     }
-    if (error != 0)
-    {
-        return Claim::noLocks;
-    }
     // Completed by another process since we looked?
     char byte = 0;
     if (::pread(chunkFile, &byte, 1, chunk) == 1 && byte != 0)
@@ -225,7 +221,7 @@ SampleStore::Claim SampleStore::claim(long chunk)
         release(chunk);
         return Claim::refused;
     }
-    return Claim::taken;
+    return error == 0 ? Claim::taken : Claim::noLocks;
 }
 
 void SampleStore::release(long chunk)

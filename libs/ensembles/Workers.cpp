@@ -179,7 +179,9 @@ private:
         completed = store.completed();
         doneAtStart = samplesCompleted();
         begun.assign(completed.size(), 0);
-        place = static_cast<long>(completed.size()) * settings.launched.rank / settings.launched.size;
+        place =
+            std::min(static_cast<long>(static_cast<double>(completed.size()) * settings.launched.beginning),
+                     static_cast<long>(completed.size()) - 1);
     }
 
     long samplesCompleted() const
@@ -218,10 +220,12 @@ private:
                 continue;
             }
             const SampleStore::Claim claim = store.claim(chunk);
-            // Without locks each program has chunks of its own.
+            // Without locks each program has chunks of its own, but where nobody knows which others there
+            // are: each takes all that are not complete, and two may compute the same one.
             const bool isOurs = claim == SampleStore::Claim::taken
                                 || (claim == SampleStore::Claim::noLocks
-                                    && chunk % settings.launched.size == settings.launched.rank);
+                                    && (settings.launched.isIrregular
+                                        || chunk % settings.launched.size == settings.launched.rank));
             if (isOurs)
             {
                 place = (chunk + 1) % count;

@@ -85,6 +85,19 @@ double knownAlpha(const LimitAnalysis& result)
     return result.status == CollapseStatus::upperBound ? result.alpha : tabledAlpha(result);
 }
 
+/// The beginning of a sentence on the live load: of one that moves with the place that the answer is of.
+template<int Dim>
+std::string whereText(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
+{
+    if (structure.loads.positions.empty())
+    {
+        return "The";
+    }
+    const auto position = static_cast<std::size_t>(result.position);
+    return fmt::format("At {}, the",
+                       pathText(structure, {structure.loads.positions[position].distance, position, 0}));
+}
+
 /// Between alpha and what bounds it.
 std::string_view boundSign(const LimitAnalysis& result)
 {
@@ -430,8 +443,9 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
         info("Status: {}", statusText(structure, result));
         if (result.held)
         {
-            info("The live load holds the blocks up: they stand for alpha from {} to {}",
-                 alphaText(result.held->least), alphaText(result.held->largest));
+            info("{} live load holds the blocks up: they stand for alpha from {} to {}",
+                 whereText(structure, result), alphaText(result.held->least),
+                 alphaText(result.held->largest));
         }
         else if (result.status == CollapseStatus::unstable)
         {

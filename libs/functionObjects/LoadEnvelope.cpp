@@ -124,6 +124,12 @@ std::string placeText(const LimitAnalysisCase<Dim>& structure, const EnvelopePoi
 }
 
 template<int Dim>
+std::string pathText(const LimitAnalysisCase<Dim>& structure, const EnvelopePoint& point)
+{
+    return fmt::format("{:.6g} m along the path, from {}", point.distance, placeText(structure, point));
+}
+
+template<int Dim>
 std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
 {
     std::vector<LoadPlace> places;
@@ -226,26 +232,55 @@ void warnOfPlacesWithoutAnswer(const LimitAnalysisCase<Dim>& structure, std::siz
 } // namespace
 
 template<int Dim>
-void printEnvelope(const LimitAnalysisCase<Dim>& structure)
+std::vector<std::string> envelopeMeaning(const LimitAnalysisCase<Dim>& structure)
 {
     const std::vector<EnvelopePoint> points = envelopeOf(structure);
+    if (points.empty())
+    {
+        return {};
+    }
+    const auto carried = static_cast<std::size_t>(std::count_if(
+        points.begin(), points.end(), [](const EnvelopePoint& point) { return std::isinf(point.alpha); }));
+    std::vector<std::string> sentences{
+        fmt::format("Moving load: {} places{}", points.size(),
+                    carried == 0 ? ""
+                    : carried == points.size()
+                        ? ", at all of them no load makes the structure collapse"
+                        : fmt::format(", at {} of them no load makes the structure collapse", carried))};
     const std::optional<EnvelopePoint> worst = worstPlace(structure);
+    if (!worst)
+    {
+        return sentences;
+    }
+    std::vector<int> blocks = structure.loads.positions[worst->position].blocks;
+    std::sort(blocks.begin(), blocks.end()); // two axles may spread over the same
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+    sentences.push_back(fmt::format("Worst place: {}, on {} {}", pathText(structure, *worst),
+                                    blocks.size() > 1 ? "blocks" : "block", fmt::join(blocks, " ")));
+    return sentences;
+}
+
+template<int Dim>
+void printEnvelope(const LimitAnalysisCase<Dim>& structure)
+{
+    const std::vector<std::string> sentences = envelopeMeaning(structure);
+    if (sentences.empty())
+    {
+        return;
+    }
+    const std::optional<EnvelopePoint> worst = worstPlace(structure);
+    printLine(sentences.front());
+    if (worst)
+    {
+        warnOfPlacesWithoutAnswer(structure, envelopeOf(structure).size());
+    }
+    printPlacesLeftOut(structure.loads);
     if (!worst)
     {
         return;
     }
+    printLine(sentences.back());
     const LoadPosition<Dim>& position = structure.loads.positions[worst->position];
-    const auto carried = std::count_if(points.begin(), points.end(),
-                                       [](const EnvelopePoint& point) { return std::isinf(point.alpha); });
-    info("Moving load: {} places{}", points.size(),
-         carried > 0 ? fmt::format(", at {} of them no load makes the structure collapse", carried) : "");
-    warnOfPlacesWithoutAnswer(structure, points.size());
-    printPlacesLeftOut(structure.loads);
-    std::vector<int> blocks = position.blocks; // two axles may spread over the same
-    std::sort(blocks.begin(), blocks.end());
-    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
-    info("Worst place: {:.6g} m along the path, from {}, on {} {}", worst->distance,
-         placeText(structure, *worst), blocks.size() > 1 ? "blocks" : "block", fmt::join(blocks, " "));
     constexpr double worthSaying = 1e-6;
     if (position.beside > worthSaying)
     {
@@ -372,6 +407,10 @@ template std::optional<EnvelopePoint> worstPlace(const LimitAnalysisCase<2>& str
 template std::optional<EnvelopePoint> worstPlace(const LimitAnalysisCase<3>& structure);
 template std::string placeText(const LimitAnalysisCase<2>& structure, const EnvelopePoint& point);
 template std::string placeText(const LimitAnalysisCase<3>& structure, const EnvelopePoint& point);
+template std::string pathText(const LimitAnalysisCase<2>& structure, const EnvelopePoint& point);
+template std::string pathText(const LimitAnalysisCase<3>& structure, const EnvelopePoint& point);
+template std::vector<std::string> envelopeMeaning(const LimitAnalysisCase<2>& structure);
+template std::vector<std::string> envelopeMeaning(const LimitAnalysisCase<3>& structure);
 template std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<2>& structure,
                                            const LimitAnalysis& result);
 template std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<3>& structure,

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace drystone
 {
@@ -34,12 +35,22 @@ std::optional<EnvelopePoint> worstPlace(const LimitAnalysisCase<Dim>& structure)
 template<int Dim>
 std::string placeText(const LimitAnalysisCase<Dim>& structure, const EnvelopePoint& point);
 
+/// `2 m along the path, from (-0.1 3)`.
+template<int Dim>
+std::string pathText(const LimitAnalysisCase<Dim>& structure, const EnvelopePoint& point);
+
+/// Sentences on how many places there are and at how many of them no load makes the structure collapse and,
+/// where there is one, the worst. None without a moving load.
+template<int Dim>
+std::vector<std::string> envelopeMeaning(const LimitAnalysisCase<Dim>& structure);
+
 /// Where the axles of the worst place of a moving load meet the structure; of a live load on one block alone
 /// where its line of action enters it; none of others.
 template<int Dim>
 std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
 
-/// Range of multipliers and the worst place, for the log. Nothing without a moving load.
+/// What envelopeMeaning says, places that are left out and places without an answer, for the log. Nothing
+/// without a moving load.
 template<int Dim>
 void printEnvelope(const LimitAnalysisCase<Dim>& structure);
 

@@ -120,7 +120,8 @@ std::vector<std::string> caseMeaning(const LoadVectors& loads)
     for (const auto& [name, load] : loads.cases)
     {
         const Vector<Dim> force = resultantOf<Dim>(load);
-        sentences.push_back(cancels<Dim>(force, load)
+        sentences.push_back(load.isZero(0) ? fmt::format("Load case {}: no force on any block", name)
+                            : cancels<Dim>(force, load)
                                 ? fmt::format("Load case {}: its forces cancel, there is no resultant", name)
                                 : fmt::format("Load case {}: {} along {}", name, forceText(force.norm()),
                                               directionText<Dim>(force)));

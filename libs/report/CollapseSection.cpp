@@ -7,6 +7,7 @@
 #include "functionObjects/Histories.h"
 #include "functionObjects/LimitAnalysisLog.h"
 #include "functionObjects/LimitAnalysisResults.h"
+#include "functionObjects/LoadEnvelope.h"
 #include "functionObjects/LoadMeaning.h"
 #include "quantities/TableLine.h"
 
@@ -153,24 +154,29 @@ std::string verdict(const LimitAnalysis& answer)
     return "no answer";
 }
 
-/// Of a moving load the answer is that of its worst position, which the table of all positions has.
+/// Of a moving load the answer is that of its worst position. The table of all positions has their
+/// multipliers: none are known where it has others than the case has now.
 template<int Dim>
 void moveToWorstPosition(LimitAnalysisCase<Dim>& structure, const fs::path& caseDirectory)
 {
-    if (structure.loads.positions.empty())
+    const NumberTable table =
+        readNumberTable(limitAnalysisTable(caseDirectory).replace_filename("movingLoad.dat"));
+    constexpr std::size_t ofAlpha = Dim + 2; // distance, place, block, alpha, status
+    if (table.columns.size() != ofAlpha + 2
+        || table.columns[ofAlpha].size() != structure.loads.positions.size())
     {
         return;
     }
-    const NumberTable table =
-        readNumberTable(limitAnalysisTable(caseDirectory).replace_filename("movingLoad.dat"));
-    constexpr std::size_t ofAlpha = Dim + 2; // distance, place, block, alpha
-    std::size_t worst = 0;
-    for (std::size_t row = 1; table.columns.size() > ofAlpha && row < table.columns[ofAlpha].size(); ++row)
+    for (std::size_t row = 0; row < table.columns[ofAlpha].size(); ++row)
     {
-        worst = table.columns[ofAlpha][row] < table.columns[ofAlpha][worst] ? row : worst;
+        structure.envelope.push_back(
+            {storedStatus(table.columns[ofAlpha + 1][row]).value_or(CollapseStatus::notConverged),
+             table.columns[ofAlpha][row]});
     }
-    structure.loads.live =
-        structure.loads.positions[std::min(worst, structure.loads.positions.size() - 1)].live;
+    if (const std::optional<EnvelopePoint> worst = worstPlace(structure))
+    {
+        structure.loads.live = structure.loads.positions[worst->position].live;
+    }
 }
 
 /// What the forces at a joint obey: `without tension and with friction`, or with the strengths of the case.
@@ -289,6 +295,13 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory, InputOfResults i
             {
                 page.paragraph(sentence + ".");
             }
+        }
+    }
+    if (input == InputOfResults::same)
+    {
+        for (const std::string& sentence : envelopeMeaning(structure))
+        {
+            page.paragraph(sentence + ".");
         }
     }
     addIfAny(page, missingForceText(structure.assembly, structure.points));

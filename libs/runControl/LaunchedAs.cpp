@@ -40,10 +40,19 @@ LaunchedAs launchedAs()
         const int first = numberIn("SLURM_ARRAY_TASK_MIN", 0);
         const int step = std::max(numberIn("SLURM_ARRAY_TASK_STEP", 1), 1);
         const int task = (numberIn("SLURM_ARRAY_TASK_ID", 0) - first) / step;
+        const int count = std::max(numberIn("SLURM_ARRAY_TASK_COUNT", 1), 1);
+        const int places =
+            std::max((numberIn("SLURM_ARRAY_TASK_MAX", first + (count - 1) * step) - first) / step + 1, 1);
+        launched.isIrregular = places != count;
+        launched.beginning = (task + static_cast<double>(launched.rank) / launched.size) / places;
         launched.rank += launched.size * task;
-        launched.size *= std::max(numberIn("SLURM_ARRAY_TASK_COUNT", 1), 1);
+        launched.size *= count;
     }
     launched.rank = std::clamp(launched.rank, 0, launched.size - 1);
+    if (!launched.isIrregular)
+    {
+        launched.beginning = static_cast<double>(launched.rank) / launched.size;
+    }
     return launched;
 }
 

@@ -12,6 +12,10 @@ struct LaunchedAs
     int rank = 0;
     int size = 1;
     bool isArray = false; ///< a task of a Slurm array, which ends when there is nothing left to begin
+    /// A task of an array with holes, as 1,3,7: that knows the first and the last number of its tasks and how
+    /// many there are, not which, so that others may have its rank, or none a rank that there should be.
+    bool isIrregular = false;
+    double beginning = 0; ///< where in work that is shared this program begins, from 0 to below 1
 };
 LaunchedAs launchedAs();
 

@@ -372,6 +372,30 @@ TEST(SurfaceLoads, APressureOfZeroIsWarnedOf)
     EXPECT_THROW(loadOf("type pressure; value 0; normal (1 0); box ((50 0) (60 1));", wall), FatalIOError);
 }
 
+TEST(SurfaceLoads, AFillWithoutHeightOrFarAboveAllBlocksIsWarnedOf)
+{
+    // Three courses of 0.1 m: the top is at 0.30000000000000004 m.
+    const Assembly<2> wall{{{{{0, 0}, {1, 0}, {1, 3 * 0.1}, {0, 3 * 0.1}}, 1}}, {}};
+    const auto warningOf = [&](const std::string& fill)
+    {
+        testing::internal::CaptureStderr();
+        loadOf("type backfill; unitWeight 18000; " + fill, wall);
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_NE(
+        warningOf("level 0.3;").find("A fill up to 0.3 m is no load: the faces that it lies on are as high."),
+        std::string::npos);
+    EXPECT_NE(warningOf("level 1500;")
+                  .find("The fill is 1500 m high above the highest block, and all blocks "
+                        "together are 0.3 m high: `level` is a height in metres."),
+              std::string::npos);
+    for (const std::string fill :
+         {"level 0.3; surcharge 10;", "level 0.3; lateralCoefficient 0.5;", "level 20;"})
+    {
+        EXPECT_EQ(warningOf(fill), "") << fill;
+    }
+}
+
 TEST(SurfaceLoads, OnNoFaceAreRefused)
 {
     const Assembly<2> wall{{{{{0, 0}, {1, 0}, {1, 2}, {0, 2}}, 1}}, {}};

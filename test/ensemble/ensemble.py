@@ -716,6 +716,40 @@ results
         work = os.path.join(case, "postProcessing/ensemble/0/work")
         self.assertEqual(sum(name.startswith("journal.") for name in os.listdir(work)), 2)
 
+    # Tasks 3 and 7 both took the last third, and none the second one.
+    @unittest.skipUnless(shutil.which("cc"), "no C compiler")
+    def testTasksOfAnArrayWithHolesComputeAllSamplesWithoutLocks(self):
+        """On a file system without locks, which a library that is loaded first makes of this one."""
+        library = os.path.join(self.root.name, "noLocks.so")
+        subprocess.run(["cc", "-shared", "-fPIC", "-o", library, "-x", "c", "-"], text=True, check=True, timeout=60, input="""
+            #define _GNU_SOURCE
+            #include <dlfcn.h>
+            #include <errno.h>
+            #include <fcntl.h>
+            #include <stdarg.h>
+            static int call(const char *name, int descriptor, int command, void *argument)
+            {
+                if (command == F_SETLK || command == F_SETLKW || command == F_OFD_SETLK) { errno = ENOLCK; return -1; }
+                return ((int (*)(int, int, ...))dlsym(RTLD_NEXT, name))(descriptor, command, argument);
+            }
+            #define FUNCTION(name) int name(int descriptor, int command, ...) { va_list list; va_start(list, command); \
+                void *argument = va_arg(list, void *); va_end(list); return call(#name, descriptor, command, argument); }
+            FUNCTION(fcntl)
+            FUNCTION(fcntl64)
+            """)
+        case = self.case("holes")
+        tasks = [subprocess.Popen([os.path.join(applications, "ensemble"), "-case", case, "-parallel"],
+                                  env={**os.environ, "LD_PRELOAD": library, "SLURM_ARRAY_TASK_ID": task,
+                                       "SLURM_ARRAY_TASK_MIN": "1", "SLURM_ARRAY_TASK_MAX": "7",
+                                       "SLURM_ARRAY_TASK_STEP": "1", "SLURM_ARRAY_TASK_COUNT": "3"},
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) for task in "137"]
+        for task in tasks:
+            said = task.communicate(timeout=120)[0]
+            self.assertEqual(task.returncode, 0, said)
+        done = self.run_(case, "-postProcess")
+        self.assertNotIn("Warning", done.stdout + done.stderr)
+        self.assertEqual(self.digest(case), self.reference())
+
     @unittest.skipUnless(shutil.which("mpirun"), "mpirun is not installed")
     def testMpirunWithoutParallelSaysWhatIsMissing(self):
         case = self.case("mpiAlone", applications="\"./wait\" blockTexture limitAnalysis", samples=4)

@@ -9,6 +9,7 @@
 #include "contact/Equilibrium.h"
 #include "core/Error.h"
 #include "core/Signals.h"
+#include "effects/SupportMotion.h"
 
 #include <csignal>
 #include <numbers>
@@ -246,6 +247,27 @@ TEST(IncrementalDynamics, CriteriaBeyondSmallDisplacementsAreQuestioned)
               std::string::npos);
     EXPECT_NE(doubtAbout("type rotation; limit 0.3;", true).find("moved by 0.15 of"), std::string::npos);
     EXPECT_NE(doubtAbout("type collapse;", true).find("moved by 0.5 of"), std::string::npos);
+}
+
+// It was said of the lowest acceleration that it meets the criterion, and to try lower ones.
+TEST(IncrementalDynamics, CriteriaThatSupportsMeetByThemselvesAreQuestioned)
+{
+    const auto doubtAbout = [](const std::string& criterion, double velocity)
+    {
+        IncrementalDynamics<2> study = studyOf({.criterion = criterion, .endTime = 0.4});
+        study.scene.effects.push_back(std::make_shared<MovingSupports<2>>(std::vector<SupportMotion<2>>{
+            {0,
+             {1, 0},
+             tabulatedAcceleration({0, 1}, {velocity, velocity}, Interpolation::linear,
+                                   OutOfBounds::zero)}}));
+        return doubtAboutSupports(study);
+    };
+    EXPECT_NE(doubtAbout("type motion; displacement 1e-6;", 0.1).find("Supports move by up to 0.04 m"),
+              std::string::npos);
+    EXPECT_EQ(doubtAbout("type displacement; limit 0.05;", 0.1), "");
+    EXPECT_NE(doubtAbout("type displacement; limit 0.05;", 0.2), "");
+    EXPECT_EQ(doubtAbout("type rotation; limit 0.001;", 0.1), "");
+    EXPECT_EQ(doubtAboutSupports(studyOf({})), "");
 }
 
 TEST(IncrementalDynamics, ASignalStopsIt)

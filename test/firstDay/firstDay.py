@@ -181,6 +181,17 @@ class FirstDay(CaseTest):
         self.assertRegex(said, "(?m)^Status: unstable")
         self.assertRegex(said, r"(?m)^The live load holds the blocks up: they stand for alpha from 1\.5555\d\d to inf$")
 
+    # The place was not named: at others another range holds the structure up, or none.
+    def testThePlaceIsNamedAtWhichAMovingLoadHoldsAStructureUp(self):
+        pier, slab = [(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1), (3, 1), (3, 1.5), (0, 1.5)]
+        case = self.case("limitAnalysis/masonryPanels/wall1", files={
+            "system/blockTextureDict": self.polygons([(-9, -1), (9, -1), (9, 0), (-9, 0)], pier, slab),
+            "constant/loads": header % "loads" + "dead { type gravity; } live { type moving; from (0.1 2); to (2.9 2); "
+                              "positions 8; value (0 -100000 0); }"})
+        self.assertRegex(self.call("limitAnalysis", case),
+                         r"(?m)^At 0 m along the path, from \(0\.1 2\), the live load holds the blocks up: they stand for "
+                         r"alpha from 0\.\d+ to inf$")
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

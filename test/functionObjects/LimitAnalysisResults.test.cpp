@@ -410,6 +410,14 @@ TEST_F(LimitAnalysisResults, SaysThatACoupleHasNoResultant)
                 testing::Contains("Live load: its forces cancel, there is no resultant"));
 }
 
+// It was said that the forces of such a load cancel.
+TEST(LoadMeaning, ALoadCaseThatIsNoneSaysSo)
+{
+    LoadVectors loads;
+    loads.cases = {{"fill", Eigen::VectorXd::Zero(3)}};
+    EXPECT_THAT(caseMeaning<2>(loads), testing::ElementsAre("Load case fill: no force on any block"));
+}
+
 TEST_F(LimitAnalysisResults, NamesTheCaseInTitlesHoweverItsDirectoryIsGiven)
 {
     EXPECT_EQ(caseName("/somewhere/wall"), "wall");

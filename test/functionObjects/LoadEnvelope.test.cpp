@@ -90,6 +90,30 @@ TEST(LoadEnvelope, PlacesWithoutACollapseByCoulombsLawAreWarnedOf)
     EXPECT_EQ(warning(), "");
 }
 
+// Nothing was said of the places, not even of those that are left out.
+TEST(LoadEnvelope, SaysThatNoPlaceCollapses)
+{
+    LimitAnalysisCase<2> structure = solvedCase();
+    structure.loads.placesLeftOut = {-1};
+    for (PositionResult& position : structure.envelope)
+    {
+        position = {CollapseStatus::unbounded, 0};
+    }
+    EXPECT_EQ(envelopeMeaning(structure),
+              std::vector<std::string>{
+                  "Moving load: 5 places, at all of them no load makes the structure collapse"});
+    testing::internal::CaptureStdout();
+    printEnvelope(structure);
+    const std::string log = testing::internal::GetCapturedStdout();
+    EXPECT_NE(log.find("Moving load: 5 places"), std::string::npos);
+    EXPECT_NE(log.find("left out, where no axle meets a block that can move: 1 of 6"), std::string::npos);
+    EXPECT_EQ(
+        envelopeMeaning(solvedCase()),
+        (std::vector<std::string>{"Moving load: 5 places, at 1 of them no load makes the structure collapse",
+                                  "Worst place: 1 m along the path, from (1 1), on block 1"}));
+    EXPECT_TRUE(envelopeMeaning(LimitAnalysisCase<2>{}).empty());
+}
+
 TEST(LoadEnvelope, NamesThePlacesThatAreLeftOut)
 {
     LimitAnalysisCase<2> structure = solvedCase();

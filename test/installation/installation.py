@@ -70,6 +70,18 @@ class Installation(unittest.TestCase):
         with open(os.path.join(build, "CPackConfig.cmake"), encoding="utf-8") as file:
             self.assertRegex(re.findall(r"set\(CPACK_DEBIAN_APPLICATIONS_PACKAGE_DEPENDS.*", file.read())[0], r"\blibcairo2\b")
 
+    def testEachPackageHasItsCopyright(self):
+        """Debian policy, 12.5: who has written what is installed, under which licence, by the files' names in the source."""
+        for package in ("drystone", "python3-drystone"):
+            with open(os.path.join(self.prefix, "share/doc", package, "copyright"), encoding="utf-8") as file:
+                text = file.read()
+            for part in ("Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/",
+                         "\nFiles: *\nCopyright: 2026 the Drystone authors\nLicense: GPL-3.0-or-later\n",
+                         "/usr/share/common-licenses/GPL-3", "three.js"):
+                self.assertIn(part, text)
+            for files in re.findall(r"(?m)^Files: (tutorials/\S+)/\*$", text):
+                self.assertTrue(os.path.isdir(os.path.join(self.prefix, "share/drystone", files)), files)
+
     def testATutorialCopiedElsewhereRuns(self):
         folder = self.copyOfTutorial("limitAnalysis/arch")
         done = bash("./Allrun", folder, self.path)

@@ -233,6 +233,8 @@ results { alpha { table "postProcessing/limitAnalysis/0/limitAnalysis.dat"; colu
         self.edit(case, "constant/materialProperties", "unitWeight", "1000")
         self.edit(case, "system/ensembleDict", "variables/mu/distribution/maximum", "0.5")
         self.checkWarns(case, "other input: .*variables of system/ensembleDict have changed")
+        os.truncate(os.path.join(case, "postProcessing/ensemble/0/work/plan"), 0)
+        self.assertIn("work/plan does not say from which input the results of ensemble were computed", self.run_(case).stdout)
 
     def testHasTheAnswersOfStudiesAlsoWithoutBlocks(self):
         case = self.wall()
@@ -489,6 +491,19 @@ statistics { capacity { type distribution; value alpha; } }
         case = self.caseOf("../movingLoad/axles")
         said = self.runApplication("limitAnalysis", case, "-report").stdout
         collapse = re.search(r"at collapse [\d.]+ kN", said)[0]
+        page = self.read(case, "report.html")
+        self.assertIn(collapse, page)
+        for sentence in ("Moving load: 109 places, at 12 of them no load makes the structure collapse.",
+                         re.search(r"(?m)^Worst place: .*", said)[0] + "."):
+            self.assertIn(sentence, page)
+        # A place without an answer, as by Coulomb's law, made the first place the worst.
+        table = "postProcessing/limitAnalysis/0/movingLoad.dat"
+        with open(os.path.join(case, table), "r+", encoding="utf-8") as file:
+            text = file.read().replace(" inf 2", " nan 4", 1)
+            file.seek(0)
+            file.truncate()
+            file.write(text)
+        self.run_(case)
         self.assertIn(collapse, self.read(case, "report.html"))
 
     @unittest.skipUnless(hasViewer, noViewer)

@@ -108,9 +108,36 @@ TEST(Rubble, StonesOfThePlaneThatShortJointsTakeAwayAreWarnedOf)
     };
     EXPECT_THAT(warning("size (3 2); stones 2000; relaxations 0; leastJoint 0.3;"),
                 AllOf(HasSubstr("1986 of 2000 stones are left"),
-                      HasSubstr("and the other 14 had no face any more"), HasSubstr("Reduce leastJoint"),
+                      HasSubstr("and the other 14 had no face any more: ("), HasSubstr(") and 6 more [m]."),
+                      HasSubstr("blocks are numbered without them"), HasSubstr("Reduce leastJoint"),
                       HasSubstr("texture/stones at line 2")));
     EXPECT_EQ(warning("size (3 2); stones 2000; relaxations 0; leastJoint 0;"), "");
+}
+
+TEST(Rubble, StonesThatShortJointsTakeAwayAreNamedByTheirPlaces)
+{
+    PlaneRubble rubble{{3, 2}, 1, 300, 1, 0, 0.3};
+    while (makeAssembly(rubble).blocks.size() == 300u)
+    {
+        ++rubble.seed;
+    }
+    const Assembly<2> wall = makeAssembly(rubble);
+    const std::string loss = lossOfStones(rubble, wall);
+    rubble.leastJoint = 0;
+    const Assembly<2> whole = makeAssembly(rubble); // has the stones with all their joints
+    ASSERT_EQ(whole.blocks.size(), 300u);
+    std::size_t named = 0;
+    for (const Block<2>& block : whole.blocks)
+    {
+        const Vector<2> place = areaProperties(block.outline).centroid;
+        if (loss.find(fmt::format("({:.4g} {:.4g})", place.x(), place.y())) != std::string::npos)
+        {
+            ++named;
+            EXPECT_LT(areaProperties(block.outline).area, 0.5 * 6 / 300); // of a mean stone
+        }
+    }
+    EXPECT_EQ(named, 300 - wall.blocks.size());
+    EXPECT_EQ(lossOfStones(rubble, whole), "");
 }
 
 TEST(Rubble, StonesOfThePlaneAreNotFlat)

@@ -147,6 +147,12 @@ void mergeShortEdges(std::vector<Polygon>& cells, const Vector<2>& size, double 
     }
 }
 
+/// The root of the mean area of a stone [m].
+double meanSize(const PlaneRubble& rubble)
+{
+    return std::sqrt(rubble.size.prod() / rubble.stones);
+}
+
 } // namespace
 
 void declare(Options& options, PlaneRubble& rubble)
@@ -171,9 +177,18 @@ void declare(Options& options, PlaneRubble& rubble)
         .atMost(0.3);
 }
 
-Assembly<2> makeAssembly(const PlaneRubble& rubble)
+namespace
 {
-    const double mean = std::sqrt(rubble.size.prod() / rubble.stones);
+
+/// The cells of a wall in the order of their points, before and after their short edges are merged.
+struct Cells
+{
+    std::vector<Polygon> whole;
+    std::vector<Polygon> merged;
+};
+
+Cells cellsOf(const PlaneRubble& rubble)
+{
     std::vector<Vector<2>> points;
     for (const Vector<3>& point :
          uniformPoints({rubble.size.x(), rubble.size.y(), 1}, rubble.stones, rubble.seed))
@@ -186,13 +201,28 @@ Assembly<2> makeAssembly(const PlaneRubble& rubble)
         std::transform(cells.begin(), cells.end(), points.begin(),
                        [](const Polygon& cell) { return areaProperties(cell).centroid; });
     }
-    std::vector<Polygon> cells = planeCells(rubble.size, points);
-    mergeShortEdges(cells, rubble.size, rubble.leastJoint * mean);
+    Cells cells;
+    cells.whole = planeCells(rubble.size, points);
+    cells.merged = cells.whole;
+    mergeShortEdges(cells.merged, rubble.size, rubble.leastJoint * meanSize(rubble));
+    return cells;
+}
+
+/// Whether merged edges have left it a face.
+bool isStone(const Polygon& cell, const PlaneRubble& rubble)
+{
     constexpr double flat = 1e-9; // of a mean stone's face: corners of three that are in a line
+    return cell.size() >= 3 && std::abs(areaProperties(cell).area) > flat * std::pow(meanSize(rubble), 2);
+}
+
+} // namespace
+
+Assembly<2> makeAssembly(const PlaneRubble& rubble)
+{
     Assembly<2> assembly;
-    for (Polygon& cell : cells)
+    for (Polygon& cell : cellsOf(rubble).merged)
     {
-        if (cell.size() >= 3 && std::abs(areaProperties(cell).area) > flat * mean * mean)
+        if (isStone(cell, rubble))
         {
             assembly.blocks.push_back({std::move(cell), rubble.thickness});
         }
@@ -203,13 +233,30 @@ Assembly<2> makeAssembly(const PlaneRubble& rubble)
 std::string lossOfStones(const PlaneRubble& rubble, const Assembly<2>& assembly)
 {
     const std::size_t left = assembly.blocks.size();
-    return left < static_cast<std::size_t>(rubble.stones) ? fmt::format(
-               "{} of {} stones are left: joints shorter than leastJoint, {:g} of the mean size of "
-               "a stone, shrink to a corner, and the other {} had no face any more. Their "
-               "neighbours take their place. Reduce leastJoint, or give more relaxations, to keep "
-               "all of them.",
-               left, rubble.stones, rubble.leastJoint, rubble.stones - left)
-                                                          : "";
+    if (left >= static_cast<std::size_t>(rubble.stones))
+    {
+        return "";
+    }
+    constexpr std::size_t most = 8;
+    std::vector<std::string> places;
+    const Cells cells = cellsOf(rubble);
+    for (std::size_t i = 0; i < cells.merged.size(); ++i)
+    {
+        if (!isStone(cells.merged[i], rubble))
+        {
+            const Vector<2> place = areaProperties(cells.whole[i]).centroid;
+            places.push_back(fmt::format("({:.4g} {:.4g})", place.x(), place.y()));
+        }
+    }
+    const std::size_t shown = std::min(most, places.size());
+    const auto end = places.begin() + static_cast<std::ptrdiff_t>(shown);
+    return fmt::format(
+        "{} of {} stones are left: joints shorter than leastJoint, {:g} of the mean size of a stone, shrink "
+        "to a corner, and the other {} had no face any more: {}{} [m]. Their neighbours take their place, "
+        "and blocks are numbered without them. Reduce leastJoint, or give more relaxations, to keep all of "
+        "them.",
+        left, rubble.stones, rubble.leastJoint, rubble.stones - left, fmt::join(places.begin(), end, ", "),
+        places.size() > shown ? fmt::format(" and {} more", places.size() - shown) : "");
 }
 
 } // namespace drystone

@@ -28,7 +28,7 @@ void declare(Options& options, PlaneRubble& rubble);
 /// joints leave less than three corners, or all in a line, is taken up by its neighbours.
 Assembly<2> makeAssembly(const PlaneRubble& rubble);
 
-/// How many stones short joints have taken away, and how to keep them; empty: none.
+/// How many stones short joints have taken away, where they were, and how to keep them; empty: none.
 std::string lossOfStones(const PlaneRubble& rubble, const Assembly<2>& assembly);
 
 } // namespace drystone
