@@ -139,7 +139,7 @@ void Sampler::stratifyCorrelated()
     std::vector<std::vector<double>> correlated;
     for (long sample = 0; sample < design.samples; ++sample)
     {
-        correlated.push_back(point(sample, false));
+        correlated.push_back(point(sample));
         correlate(correlated.back());
     }
     std::vector<std::uint32_t> order(correlated.size());
@@ -294,13 +294,15 @@ void Sampler::readTable(const Dictionary&, const std::filesystem::path& caseDire
     }
 }
 
-std::vector<double> Sampler::point(long index, bool isSecond) const
+/// The probabilities of a point, one a variable, before they are correlated. \param index of the point, not
+/// of the sample
+std::vector<double> Sampler::point(long index, Matrix matrix) const
 {
     const std::size_t size = variables.size();
     std::vector<double> probabilities(size);
     for (std::size_t k = 0; k < size; ++k)
     {
-        const auto dimension = static_cast<std::uint32_t>(isSecond ? size + k : k);
+        const auto dimension = static_cast<std::uint32_t>(matrix == Matrix::b ? size + k : k);
         const auto number = static_cast<std::uint64_t>(index);
         const auto seed = static_cast<std::uint64_t>(design.seed);
         switch (design.type)
@@ -391,19 +393,19 @@ std::vector<SampleValue> Sampler::at(long sample) const
     std::vector<double> probabilities;
     if (design.sensitivity)
     {
-        // Saltelli et al. 2010: A, B, and A with one variable after the other from B.
+        // A, B, and A with one variable after the other from B.
         const auto runs = static_cast<long>(variables.size()) + 2;
         const long role = sample % runs;
-        probabilities = point(sample / runs, role == 1);
+        probabilities = point(sample / runs, role == 1 ? Matrix::b : Matrix::a);
         if (role > 1)
         {
             const auto k = static_cast<std::size_t>(role - 2);
-            probabilities[k] = point(sample / runs, true)[k];
+            probabilities[k] = point(sample / runs, Matrix::b)[k];
         }
     }
     else
     {
-        probabilities = point(sample, false);
+        probabilities = point(sample);
     }
     if (factor.size() > 0 && design.type != DesignType::latinHypercube) // whose parts are correlated
     {

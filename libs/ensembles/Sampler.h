@@ -30,6 +30,13 @@ public:
     std::vector<SampleValue> at(long sample) const;
 
 private:
+    /// The two independent sets of points of a sensitivity analysis (Saltelli et al. 2010); others have A.
+    enum class Matrix
+    {
+        a,
+        b
+    };
+
     void readTable(const Dictionary& dictionary, const std::filesystem::path& caseDirectory);
     void requireDistributions(const Dictionary& dictionary) const;
     void countSamples();
@@ -37,7 +44,7 @@ private:
     void chooseFactor(const std::vector<Correlation>& correlations, const SourceLocation& place);
     void stratifyCorrelated();
     bool isUncorrelated(std::size_t variable) const;
-    std::vector<double> point(long index, bool isSecond) const;
+    std::vector<double> point(long index, Matrix matrix = Matrix::a) const;
     std::vector<SampleValue> gridPoint(long sample) const;
     void correlate(std::vector<double>& probabilities) const;
 

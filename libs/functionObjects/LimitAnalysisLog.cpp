@@ -357,13 +357,13 @@ bool isCollapseProgress(std::string_view line)
                || line.substr(coulombWords.size()).starts_with(startWord));
 }
 
-std::function<void(const CollapseProgress&)> collapseProgressLog(bool isLimited,
+std::function<void(const CollapseProgress&)> collapseProgressLog(SearchTime time,
                                                                  std::function<double()> clock)
 {
     constexpr double every = 10;  // [s]
     constexpr double isLong = 30; // likewise
     const double begin = clock();
-    return [isLimited, clock = std::move(clock), begin, last = begin,
+    return [time, clock = std::move(clock), begin, last = begin,
             hasSaid = false](const CollapseProgress& progress) mutable
     {
         if (clock() - last >= every)
@@ -376,7 +376,7 @@ std::function<void(const CollapseProgress&)> collapseProgressLog(bool isLimited,
                      ? fmt::format("lowest collapse so far {:.6g}", progress.lowest)
                      : "no collapse met yet",
                  last);
-            if (!isLimited && !hasSaid && last - begin >= isLong)
+            if (time == SearchTime::endless && !hasSaid && last - begin >= isLong)
             {
                 hasSaid = true;
                 printLine("This may last long. `nonAssociative { maximumTime 600; }` in "
