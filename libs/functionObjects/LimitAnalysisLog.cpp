@@ -388,6 +388,58 @@ std::function<void(const CollapseProgress&)> collapseProgressLog(SearchTime time
     };
 }
 
+namespace
+{
+
+/// The multiplier, as far as there is one, and what it means.
+template<int Dim>
+void printMultiplier(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
+{
+    if (result.status == CollapseStatus::optimal)
+    {
+        if (structure.movement)
+        {
+            info("Base reaction of {} against its movement = {:.9g} N",
+                 structure.assembly.supports[structure.movement->support].name, result.alpha);
+        }
+        info("Collapse load multiplier alpha = {:.9g}", result.alpha + 0.0); // no -0
+        printWholeJoints(structure, result);
+        for (const std::string& sentence : loadMeaning(structure, result))
+        {
+            printLine(sentence);
+        }
+    }
+    if (result.status == CollapseStatus::upperBound && std::isfinite(result.alpha))
+    {
+        info("Collapse load multiplier alpha {} {:.9g}", boundSign(result), result.alpha);
+    }
+    if (result.coulomb)
+    {
+        printCoulombRange(*result.coulomb, result);
+    }
+}
+
+/// How the analysis has ended, and what is to be known where it is no collapse.
+template<int Dim>
+void printStatus(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
+{
+    info("Status: {}", statusText(structure, result));
+    if (result.held)
+    {
+        info("The live load holds the blocks up: they stand for alpha from {} to {}",
+             alphaText(result.held->least), alphaText(result.held->largest));
+    }
+    else if (result.status == CollapseStatus::unstable)
+    {
+        if (const std::string cause = instabilityCause(structure.assembly, structure.points); !cause.empty())
+        {
+            printLine(cause);
+        }
+    }
+}
+
+} // namespace
+
 template<int Dim>
 void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results)
 {
@@ -399,42 +451,8 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
         {
             info("Combination {}", result.combination);
         }
-        if (result.status == CollapseStatus::optimal)
-        {
-            if (structure.movement)
-            {
-                info("Base reaction of {} against its movement = {:.9g} N",
-                     structure.assembly.supports[structure.movement->support].name, result.alpha);
-            }
-            info("Collapse load multiplier alpha = {:.9g}", result.alpha + 0.0); // no -0
-            printWholeJoints(structure, result);
-            for (const std::string& sentence : loadMeaning(structure, result))
-            {
-                printLine(sentence);
-            }
-        }
-        if (result.status == CollapseStatus::upperBound && std::isfinite(result.alpha))
-        {
-            info("Collapse load multiplier alpha {} {:.9g}", boundSign(result), result.alpha);
-        }
-        if (result.coulomb)
-        {
-            printCoulombRange(*result.coulomb, result);
-        }
-        info("Status: {}", statusText(structure, result));
-        if (result.held)
-        {
-            info("The live load holds the blocks up: they stand for alpha from {} to {}",
-                 alphaText(result.held->least), alphaText(result.held->largest));
-        }
-        else if (result.status == CollapseStatus::unstable)
-        {
-            if (const std::string cause = instabilityCause(structure.assembly, structure.points);
-                !cause.empty())
-            {
-                printLine(cause);
-            }
-        }
+        printMultiplier(structure, result);
+        printStatus(structure, result);
         question(doubtsAboutCrushing(structure, result));
         question(doubtsAboutLargeStrengths(structure.contact, result));
         const Certificate& certificate = result.certificate;
