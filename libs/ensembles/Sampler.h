@@ -37,10 +37,12 @@ private:
         b
     };
 
-    void readTable(const Dictionary& dictionary, const std::filesystem::path& caseDirectory);
+    void readTable(const std::filesystem::path& caseDirectory);
+    std::vector<std::size_t> columnsOfVariables(const std::vector<std::string>& columns) const;
     void requireDistributions(const Dictionary& dictionary) const;
     void countSamples();
     void stratify();
+    Eigen::Index variableOf(const std::string& wanted, const SourceLocation& place) const;
     void chooseFactor(const std::vector<Correlation>& correlations, const SourceLocation& place);
     void stratifyCorrelated();
     bool isUncorrelated(std::size_t variable) const;
