@@ -8,6 +8,8 @@
 
 #include <functional>
 #include <map>
+#include <string_view>
+#include <vector>
 
 namespace drystone
 {
@@ -22,6 +24,55 @@ bool isWritten(const Token& token)
            && isBefore(token.text.data(), token.file->text.data() + token.file->text.size());
 }
 
+/// The tokens of a value up to its `;`, which is taken too. \param before the keyword, for the message
+std::vector<Token> valueTokens(TokenCursor& cursor, const TokenCursor& before, std::string_view keyword)
+{
+    std::vector<Token> tokens;
+    int open = 0;
+    while (open > 0 || !cursor.isNext(';'))
+    {
+        if (cursor.atEnd() || (open == 0 && cursor.isNext('}')))
+        {
+            before.fail(fmt::format("A `;` is missing after the value of {}.", keyword));
+        }
+        const Token& token = cursor.take();
+        if (token.is('(') || token.is('[') || token.is('{'))
+        {
+            ++open;
+        }
+        else if (token.is(')') || token.is(']') || token.is('}'))
+        {
+            --open;
+        }
+        tokens.push_back(token);
+    }
+    cursor.take();
+    return tokens;
+}
+
+/// The keys that are written between one pair of brackets, of which each is to stand there once.
+class WrittenKeys
+{
+public:
+    /// Warns of a key that is given twice. \param isDictionary whether its value is one, here
+    void add(const Token& key, bool isDictionary, const SourceLocation& location)
+    {
+        if (!isWritten(key))
+        {
+            return;
+        }
+        const auto [earlier, isFirst] = first.try_emplace(key.text, &key);
+        if (!isFirst)
+        {
+            // Input modes, which may ask for it outside of lists, there are none here.
+            printWarningOnce(repeatedKeyText(key.text, earlier->second->line, isDictionary) + ".", location);
+        }
+    }
+
+private:
+    std::map<std::string_view, const Token*> first; ///< of each key
+};
+
 Dictionary readBraced(TokenCursor& cursor, const std::shared_ptr<SourceText>& source, SourceLocation location,
                       int depth)
 {
@@ -30,7 +81,7 @@ Dictionary readBraced(TokenCursor& cursor, const std::shared_ptr<SourceText>& so
         cursor.fail(fmt::format("Dictionaries are nested more than {} deep.", deepestNesting));
     }
     Dictionary dictionary(location);
-    std::map<std::string_view, const Token*> first; // of each key that is written between these brackets
+    WrittenKeys written;
     cursor.expect('{', "a dictionary `{ ... }`");
     while (!cursor.isNext('}'))
     {
@@ -45,47 +96,13 @@ Dictionary readBraced(TokenCursor& cursor, const std::shared_ptr<SourceText>& so
         }
         const TokenCursor before = cursor;
         const Token& key = cursor.take();
-        const SourceLocation entryLocation{key.file->name, joined(location.entry, std::string(key.text)),
-                                           key.line};
-        if (isWritten(key))
-        {
-            const auto [earlier, isFirst] = first.try_emplace(key.text, &key);
-            if (!isFirst)
-            {
-                // Input modes, which may ask for it outside of lists, there are none here.
-                printWarningOnce(repeatedKeyText(key.text, earlier->second->line, cursor.isNext('{')) + ".",
-                                 entryLocation);
-            }
-        }
-        if (cursor.isNext('{'))
-        {
-            Entry entry(std::string(key.text), readBraced(cursor, source, entryLocation, depth + 1),
-                        entryLocation);
-            entry.setPattern(key.kind == TokenKind::string);
-            dictionary.merge(std::move(entry));
-            continue;
-        }
-        std::vector<Token> tokens;
-        int open = 0;
-        while (open > 0 || !cursor.isNext(';'))
-        {
-            if (cursor.atEnd() || (open == 0 && cursor.isNext('}')))
-            {
-                before.fail(fmt::format("A `;` is missing after the value of {}.", key.text));
-            }
-            const Token& token = cursor.take();
-            if (token.is('(') || token.is('[') || token.is('{'))
-            {
-                ++open;
-            }
-            else if (token.is(')') || token.is(']') || token.is('}'))
-            {
-                --open;
-            }
-            tokens.push_back(token);
-        }
-        cursor.take();
-        Entry entry(std::string(key.text), std::move(tokens), source, entryLocation);
+        const std::string keyword(key.text);
+        const SourceLocation entryLocation{key.file->name, joined(location.entry, keyword), key.line};
+        const bool isDictionary = cursor.isNext('{');
+        written.add(key, isDictionary, entryLocation);
+        Entry entry =
+            isDictionary ? Entry(keyword, readBraced(cursor, source, entryLocation, depth + 1), entryLocation)
+                         : Entry(keyword, valueTokens(cursor, before, key.text), source, entryLocation);
         entry.setPattern(key.kind == TokenKind::string);
         dictionary.merge(std::move(entry));
     }

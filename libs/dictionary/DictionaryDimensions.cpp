@@ -29,6 +29,84 @@ constexpr BaseUnit baseUnits[] = {
     {"units", {0, 1, 0, 0, 0, 0, 0}}, {"-", {0, 0, 0, 0, 0, 0, 0}},   {"1", {0, 0, 0, 0, 0, 0, 0}},
 };
 
+/// The longest name of a unit that the text begins with. \param unit all of the text, for the message
+const BaseUnit& unitAt(std::string_view text, std::string_view unit)
+{
+    const BaseUnit* longest = nullptr;
+    for (const BaseUnit& base : baseUnits)
+    {
+        if (text.starts_with(base.name) && (!longest || base.name.size() > longest->name.size()))
+        {
+            longest = &base;
+        }
+    }
+    if (!longest)
+    {
+        throw std::invalid_argument(fmt::format("the unit {} is not known", unit));
+    }
+    return *longest;
+}
+
+/// Takes the number that the text begins with, as s2 or s^-2 have one; 1 where there is none. \param unit all
+/// of the text, for the message
+double takeExponent(std::string_view& text, std::string_view unit)
+{
+    const std::size_t hat = text.starts_with('^') ? 1 : 0;
+    double exponent = 1;
+    const auto [end, error] =
+        std::from_chars(text.data() + hat, text.data() + text.size(), exponent, std::chars_format::fixed);
+    if (error == std::errc())
+    {
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        return exponent;
+    }
+    if (hat > 0)
+    {
+        throw std::invalid_argument(fmt::format("the unit {} has no number after ^", unit));
+    }
+    return 1;
+}
+
+/// The exponents in brackets, which have been opened. \param before the brackets, for messages
+Dimensions exponentsOf(TokenCursor& cursor, const TokenCursor& before)
+{
+    Dimensions given{};
+    std::size_t found = 0;
+    while (!cursor.isNext(']'))
+    {
+        if (found == given.size())
+        {
+            before.fail("A dimension set has at most seven exponents: of mass, length, time, "
+                        "temperature, amount, current and luminous intensity.");
+        }
+        read(cursor, given[found++]);
+    }
+    if (found < 5)
+    {
+        before.fail("A dimension set has seven exponents: of mass, length, time, temperature, amount, "
+                    "current and luminous intensity, for example [1 -3 0 0 0 0 0].");
+    }
+    return given;
+}
+
+/// The same, of units in brackets, as [kg m^-3].
+Dimensions unitsOf(TokenCursor& cursor, const TokenCursor& before)
+{
+    std::string text;
+    while (!cursor.isNext(']'))
+    {
+        text += std::string(cursor.take().text) + " ";
+    }
+    try
+    {
+        return dimensionsOf(text);
+    }
+    catch (const std::invalid_argument& error)
+    {
+        before.fail(fmt::format("In this dimension set {}.", error.what()));
+    }
+}
+
 } // namespace
 
 Dimensions dimensionsOf(std::string_view unit)
@@ -37,62 +115,25 @@ Dimensions dimensionsOf(std::string_view unit)
     // whatever follows `/` divides.
     Dimensions result{};
     double sign = 1;
-    std::size_t i = 0;
-    if (unit == "-" || unit.empty())
+    if (unit == "-")
     {
         return result;
     }
-    while (i < unit.size())
+    for (std::string_view rest = unit; !rest.empty();)
     {
-        const char c = unit[i];
-        if (c == '/')
+        const char c = rest.front();
+        if (c == '/' || c == ' ' || c == '*' || c == '.')
         {
-            sign = -1;
-            ++i;
+            sign = c == '/' ? -1 : sign;
+            rest.remove_prefix(1);
             continue;
         }
-        if (c == ' ' || c == '*' || c == '.')
-        {
-            ++i;
-            continue;
-        }
-        const BaseUnit* longest = nullptr;
-        for (const BaseUnit& base : baseUnits)
-        {
-            if (unit.substr(i).starts_with(base.name)
-                && (!longest || base.name.size() > longest->name.size()))
-            {
-                longest = &base;
-            }
-        }
-        if (!longest)
-        {
-            throw std::invalid_argument(fmt::format("the unit {} is not known", unit));
-        }
-        i += longest->name.size();
-        std::size_t from = i;
-        if (from < unit.size() && unit[from] == '^')
-        {
-            ++from;
-        }
-        double exponent = 1;
-        const auto [end, error] = std::from_chars(unit.data() + from, unit.data() + unit.size(), exponent,
-                                                  std::chars_format::fixed);
-        if (error == std::errc())
-        {
-            i = static_cast<std::size_t>(end - unit.data());
-        }
-        else if (from != i)
-        {
-            throw std::invalid_argument(fmt::format("the unit {} has no number after ^", unit));
-        }
-        else
-        {
-            exponent = 1;
-        }
+        const BaseUnit& base = unitAt(rest, unit);
+        rest.remove_prefix(base.name.size());
+        const double exponent = takeExponent(rest, unit);
         for (std::size_t k = 0; k < result.size(); ++k)
         {
-            result[k] += sign * exponent * longest->dimensions[k];
+            result[k] += sign * exponent * base.dimensions[k];
         }
     }
     return result;
@@ -121,42 +162,9 @@ void readDimensions(TokenCursor& cursor, std::string_view unit)
     }
     const TokenCursor before = cursor;
     cursor.take();
-    Dimensions given{};
     const Dimensions wanted = dimensionsOf(unit);
-    if (!cursor.atEnd() && cursor.peek().kind == TokenKind::number)
-    {
-        std::size_t found = 0;
-        while (!cursor.isNext(']'))
-        {
-            if (found == given.size())
-            {
-                before.fail("A dimension set has at most seven exponents: of mass, length, time, "
-                            "temperature, amount, current and luminous intensity.");
-            }
-            read(cursor, given[found++]);
-        }
-        if (found < 5)
-        {
-            before.fail("A dimension set has seven exponents: of mass, length, time, temperature, amount, "
-                        "current and luminous intensity, for example [1 -3 0 0 0 0 0].");
-        }
-    }
-    else
-    {
-        std::string text;
-        while (!cursor.isNext(']'))
-        {
-            text += std::string(cursor.take().text) + " ";
-        }
-        try
-        {
-            given = dimensionsOf(text);
-        }
-        catch (const std::invalid_argument& error)
-        {
-            before.fail(fmt::format("In this dimension set {}.", error.what()));
-        }
-    }
+    const bool hasExponents = !cursor.atEnd() && cursor.peek().kind == TokenKind::number;
+    const Dimensions given = hasExponents ? exponentsOf(cursor, before) : unitsOf(cursor, before);
     cursor.take();
     if (given != wanted)
     {

@@ -69,27 +69,26 @@ void add(Fingerprint& print, const Token& token)
     print.add(separator);
 }
 
-void add(Fingerprint& print, const std::vector<Statement>& statements, bool isRoot)
+void add(Fingerprint& print, const Statement& statement)
 {
-    for (const Statement& statement : statements)
+    const char kind = static_cast<char>('A' + static_cast<int>(statement.kind));
+    print.add(std::string_view(&kind, 1));
+    add(print, statement.keyword);
+    for (const Token& token : statement.value)
     {
-        if (isRoot && statement.keyword.text == "FoamFile")
-        {
-            continue;
-        }
-        const char kind = static_cast<char>('A' + static_cast<int>(statement.kind));
-        print.add(std::string_view(&kind, 1));
-        add(print, statement.keyword);
-        for (const Token& token : statement.value)
-        {
-            add(print, token);
-        }
-        print.add("{");
-        add(print, statement.body, false);
-        print.add("}{");
-        add(print, statement.otherwise, false);
-        print.add("}");
+        add(print, token);
     }
+    print.add("{");
+    for (const Statement& inner : statement.body)
+    {
+        add(print, inner);
+    }
+    print.add("}{");
+    for (const Statement& inner : statement.otherwise)
+    {
+        add(print, inner);
+    }
+    print.add("}");
 }
 
 void collectNamedFiles(const Dictionary& dictionary, std::vector<std::string>& names)
@@ -156,7 +155,13 @@ std::uint64_t fingerprintOfTokens(const SourceFile& file)
     try
     {
         Fingerprint print;
-        add(print, parseStatements(file), true);
+        for (const Statement& statement : parseStatements(file))
+        {
+            if (statement.keyword.text != "FoamFile") // the header of a file says nothing of the case
+            {
+                add(print, statement);
+            }
+        }
         return print.value();
     }
     catch (const FatalError&)

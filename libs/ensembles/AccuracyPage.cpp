@@ -33,33 +33,41 @@ std::string failedText(const AccuracyPoint& point)
 
 // The page, section by section
 
-std::string sweepSection(const AccuracyStudy& study, const AccuracyResults& results, const SweepResult& sweep)
+/// What the rows of a sweep have in common, and how they were computed.
+std::string sweepHead(const AccuracyStudy& study, const SweepResult& sweep, const ShownKeys& shown)
 {
     const StudyQuantity& quantity = quantityOf(study, sweep);
-    const bool isMotion = quantity.kind == QuantityKind::motion;
-    const double unit = results.unitsOfWork[sweep.quantity];
-    const ShownKeys shown = differingKeys(settingsAt(sweep.points), sweep.axis);
+    const Sweep& plan = planOf(study, sweep);
     ShownKeys common = keysOf(sweep.points.front().setting, quantity.kind);
     forEachKey([](bool& isCommon, bool isShown) { isCommon = isCommon && !isShown; }, common, shown);
     common = withoutAxis(common, sweep.axis);
     const std::string always = textOf(sweep.points.front().setting, common);
-    const Sweep& plan = planOf(study, sweep);
-    const bool sharesPhases =
-        isMotion
-        && std::any_of(sweep.points.begin(), sweep.points.end(),
-                       [&](const AccuracyPoint& point) { return point.planned > plan.phases; });
     std::string text = fmt::format("## Sweep `{}`: {}\n\n", sweep.name, quantity.quantity.summary);
     text += always.empty() ? "" : fmt::format("All of them: {}. ", always);
-    text += isMotion
-                ? fmt::format("Each row: {} runs, whose first steps differ so that impacts occur at as many "
-                              "phases of a step; CPU times are medians over them.{}\n\n",
-                              plan.phases,
-                              sharesPhases ? " Settings that another sweep has with more runs are shown with "
-                                             "those, as the row says."
-                                           : "")
-                : fmt::format("CPU times are medians of {} repeats.\n\n", plan.repeats);
-    text += fmt::format("![error]({}.{})\n\n", sweep.name, pictureEnding(study));
-    text += fmt::format(
+    if (quantity.kind != QuantityKind::motion)
+    {
+        return text + fmt::format("CPU times are medians of {} repeats.\n\n", plan.repeats);
+    }
+    const bool sharesPhases =
+        std::any_of(sweep.points.begin(), sweep.points.end(),
+                    [&](const AccuracyPoint& point) { return point.planned > plan.phases; });
+    return text
+           + fmt::format("Each row: {} runs, whose first steps differ so that impacts occur at as many "
+                         "phases of a step; CPU times are medians over them.{}\n\n",
+                         plan.phases,
+                         sharesPhases ? " Settings that another sweep has with more runs are shown with "
+                                        "those, as the row says."
+                                      : "");
+}
+
+/// A row for each point of each curve of a sweep.
+std::string sweepTable(const AccuracyStudy& study, const AccuracyResults& results, const SweepResult& sweep,
+                       const ShownKeys& shown)
+{
+    const bool isMotion = quantityOf(study, sweep).kind == QuantityKind::motion;
+    const double unit = results.unitsOfWork[sweep.quantity];
+    const Sweep& plan = planOf(study, sweep);
+    std::string text = fmt::format(
         "| setting | {} | {} | CPU [s] | {} | CPU/({} F) |{}\n|---|---:|{}---:|---:|---:|{}\n",
         axisName(sweep.axis), isMotion ? "median error | worst error" : "error",
         isMotion ? "steps" : "iterations", isMotion ? "step" : "iteration", isMotion ? " hover [m] |" : "",
@@ -80,21 +88,39 @@ std::string sweepSection(const AccuracyStudy& study, const AccuracyResults& resu
                                 isMotion ? fmt::format(" {:.2g} |", point.hover) : "");
         }
     }
+    return text;
+}
+
+/// Which tolerance is tight enough, of each curve of a sweep over tolerances.
+std::string kneesOf(const AccuracyStudy& study, const AccuracyResults& results, const SweepResult& sweep,
+                    const ShownKeys& shown)
+{
+    std::string text =
+        "\nThe knee is the largest tolerance from which on no error is above twice that of the "
+        "smallest, or above the uncertainty of the reference: a smaller one costs time without "
+        "gain.\n\n";
+    for (const auto& curve : curvesOf(sweep))
+    {
+        const std::string name = textOf(curve.front().setting, shown);
+        const auto knee = kneeOf(curve, uncertaintyOf(results, sweep));
+        text +=
+            fmt::format("- {}: {}\n", name.empty() ? quantityOf(study, sweep).name : name,
+                        knee ? fmt::format("knee at {:g}, error {}, {:.3g} s", curve[*knee].setting.tolerance,
+                                           errorText(curve[*knee].medianError), curve[*knee].cpuTime)
+                             : "no knee: the error falls to the tightest tolerance");
+    }
+    return text;
+}
+
+std::string sweepSection(const AccuracyStudy& study, const AccuracyResults& results, const SweepResult& sweep)
+{
+    const ShownKeys shown = differingKeys(settingsAt(sweep.points), sweep.axis);
+    std::string text = sweepHead(study, sweep, shown);
+    text += fmt::format("![error]({}.{})\n\n", sweep.name, pictureEnding(study));
+    text += sweepTable(study, results, sweep, shown);
     if (sweep.axis == SweepAxis::tolerance)
     {
-        text += "\nThe knee is the largest tolerance from which on no error is above twice that of the "
-                "smallest, or above the uncertainty of the reference: a smaller one costs time without "
-                "gain.\n\n";
-        for (const auto& curve : curvesOf(sweep))
-        {
-            const std::string name = textOf(curve.front().setting, shown);
-            const auto knee = kneeOf(curve, uncertaintyOf(results, sweep));
-            text += fmt::format("- {}: {}\n", name.empty() ? quantity.name : name,
-                                knee ? fmt::format("knee at {:g}, error {}, {:.3g} s",
-                                                   curve[*knee].setting.tolerance,
-                                                   errorText(curve[*knee].medianError), curve[*knee].cpuTime)
-                                     : "no knee: the error falls to the tightest tolerance");
-        }
+        text += kneesOf(study, results, sweep, shown);
     }
     return text + "\n";
 }
@@ -240,14 +266,13 @@ std::string accuracyTable(const AccuracyStudy& study, const AccuracyResults& res
     return text;
 }
 
-std::string accuracyPage(const AccuracyStudy& study, const AccuracyResults& results)
+namespace
 {
-    std::string text =
-        fmt::format("# What accuracy costs\n\nMade by accuracyCost on {}, one run at a time. Errors are "
-                    "relative to the reference; CPU times are in seconds and in units of F, one "
-                    "assembly, factorisation and solve of the Schur matrix of the case.\n\n",
-                    processorName());
-    text += "| quantity | what | reference | source | F [s] |\n|---|---|---:|---|---:|\n";
+
+/// The quantities of a study with their references.
+std::string quantitySection(const AccuracyStudy& study, const AccuracyResults& results)
+{
+    std::string text = "| quantity | what | reference | source | F [s] |\n|---|---|---:|---|---:|\n";
     for (std::size_t index = 0; index < study.quantities.size(); ++index)
     {
         const StudyQuantity& quantity = study.quantities[index];
@@ -258,11 +283,18 @@ std::string accuracyPage(const AccuracyStudy& study, const AccuracyResults& resu
                         reference.uncertainty > 0 ? fmt::format(" ± {:.1g}", reference.uncertainty) : "",
                         reference.text, results.unitsOfWork[index]);
     }
-    text += "\n## Cheapest settings\n\nThe setting of least CPU time, of all that were tried, whose error is "
-            "not above the level: for half of the phases (median), and for all of them (worst). For "
-            "motions only settings with the largest number of phases are considered.\n\n"
-            "| quantity | error | of the phases | setting | its error | CPU [s] | CPU/F |\n"
-            "|---|---:|---|---|---:|---:|---:|\n";
+    return text;
+}
+
+/// Which setting is the cheapest one for an error.
+std::string cheapestSection(const AccuracyStudy& study, const AccuracyResults& results)
+{
+    std::string text =
+        "\n## Cheapest settings\n\nThe setting of least CPU time, of all that were tried, whose error is "
+        "not above the level: for half of the phases (median), and for all of them (worst). For "
+        "motions only settings with the largest number of phases are considered.\n\n"
+        "| quantity | error | of the phases | setting | its error | CPU [s] | CPU/F |\n"
+        "|---|---:|---|---|---:|---:|---:|\n";
     for (const CheapestRow& row : cheapestRows(study, results))
     {
         const StudyQuantity& quantity = study.quantities[row.quantity];
@@ -279,23 +311,43 @@ std::string accuracyPage(const AccuracyStudy& study, const AccuracyResults& resu
                                 row.point->cpuTime / results.unitsOfWork[row.quantity])
                                       : "none of those tried | | |");
     }
-    text += "\n";
+    return text + "\n";
+}
+
+/// Alternatives that differ in one setting alone, compared pair by pair.
+std::string pairSections(const AccuracyStudy& study, const SweepResult& sweep)
+{
+    const auto& points = sweep.points;
+    return pairSection(study, sweep, "Associative against Coulomb", "associative", "Coulomb",
+                       flowRulePairs(points))
+           + pairSection(study, sweep, "Point against surface contact", "points", "surface",
+                         formulationPairs(points))
+           + pairSection(study, sweep, "Few points a joint against many", "few", "many",
+                         jointPointsPairs(points))
+           + pairSection(study, sweep, "Large against small displacements", "large", "small",
+                         displacementPairs(points))
+           + pairSection(study, sweep, "Effects as given in every step against those that it calls for",
+                         "as given", "automatic", effectPairs(points))
+           + pairSection(study, sweep, "Chosen effects against everything on", "chosen", "everything",
+                         everythingPairs(points));
+}
+
+} // namespace
+
+std::string accuracyPage(const AccuracyStudy& study, const AccuracyResults& results)
+{
+    std::string text =
+        fmt::format("# What accuracy costs\n\nMade by accuracyCost on {}, one run at a time. Errors are "
+                    "relative to the reference; CPU times are in seconds and in units of F, one "
+                    "assembly, factorisation and solve of the Schur matrix of the case.\n\n",
+                    processorName());
+    text += quantitySection(study, results);
+    text += cheapestSection(study, results);
     for (const SweepResult& sweep : results.sweeps)
     {
         text += sweepSection(study, results, sweep);
         text += profileSection(study, sweep);
-        text += pairSection(study, sweep, "Associative against Coulomb", "associative", "Coulomb",
-                            flowRulePairs(sweep.points));
-        text += pairSection(study, sweep, "Point against surface contact", "points", "surface",
-                            formulationPairs(sweep.points));
-        text += pairSection(study, sweep, "Few points a joint against many", "few", "many",
-                            jointPointsPairs(sweep.points));
-        text += pairSection(study, sweep, "Large against small displacements", "large", "small",
-                            displacementPairs(sweep.points));
-        text += pairSection(study, sweep, "Effects as given in every step against those that it calls for",
-                            "as given", "automatic", effectPairs(sweep.points));
-        text += pairSection(study, sweep, "Chosen effects against everything on", "chosen", "everything",
-                            everythingPairs(sweep.points));
+        text += pairSections(study, sweep);
     }
     text +=
         "Hover is the largest gap, over a run, at a point that carries force at the end of a step: with the "

@@ -362,24 +362,17 @@ std::string reasonOf(const AccuracyPoint& point, QuantityKind kind)
     return fmt::format("{}", fmt::join(reasons, ", or "));
 }
 
-} // namespace
-
-AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
+/// The reference of each quantity, with the unit of work of its case. \return whether all are known, and the
+/// study was not interrupted
+bool findReferences(const AccuracyStudy& study, RunSequence& sequence, AccuracyResults& results)
 {
-    AccuracyResults results;
-    RunSequence sequence(study, runs);
-    const auto interrupted = [&results]
-    {
-        results.isInterrupted = true;
-        return results;
-    };
     for (std::size_t index = 0; index < study.quantities.size(); ++index)
     {
         const StudyQuantity& quantity = study.quantities[index];
         const auto reference = referenceOf(study, index, sequence);
         if (!reference)
         {
-            return interrupted();
+            return false;
         }
         results.references.push_back(*reference);
         results.unitsOfWork.push_back(quantity.unitOfWork());
@@ -390,42 +383,71 @@ AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
         info("One assembly, factorisation and solve: F = {:.3g} s", results.unitsOfWork.back());
         printLine();
     }
-    for (std::size_t index = 0; index < study.sweeps.size(); ++index)
+    return true;
+}
+
+/// The error of a point, or which of its runs have failed, for the log.
+std::string errorOrFailure(const AccuracyPoint& point, QuantityKind kind)
+{
+    return point.isWhole()
+               ? fmt::format("error {:.3g}, worst {:.3g}", point.medianError, point.worstError)
+               : fmt::format("{} of {} runs FAILED{}: {}", point.failed, point.runs,
+                             point.runs < point.planned ? ", no more tried" : "", reasonOf(point, kind));
+}
+
+/// The points of one sweep; nothing where the study was interrupted. \param index of the sweep
+std::optional<SweepResult> carryOutSweep(const AccuracyStudy& study, std::size_t index, RunSequence& sequence,
+                                         const std::vector<Reference>& references)
+{
+    const auto& [name, sweep] = study.sweeps[index];
+    const std::size_t quantity = study.quantityOfSweep[index];
+    const QuantityKind kind = study.quantities[quantity].kind;
+    SweepResult result{name, quantity, axisOf(sweep, kind), {}};
+    info("Sweep {}", name);
+    const std::vector<RunPlan> plans = sweepPlans(study, index);
+    std::vector<RunSetting> settings;
+    for (const RunPlan& plan : plans)
     {
-        const auto& [name, sweep] = study.sweeps[index];
-        const std::size_t quantity = study.quantityOfSweep[index];
-        SweepResult result{name, quantity, axisOf(sweep, study.quantities[quantity].kind), {}};
-        info("Sweep {}", name);
-        const std::vector<RunPlan> plans = sweepPlans(study, index);
-        std::vector<RunSetting> settings;
-        for (const RunPlan& plan : plans)
-        {
-            settings.push_back(plan.setting);
-        }
-        for (std::size_t number = 0; number < plans.size(); ++number)
-        {
-            const auto done = sequence.carryOut(plans[number]);
-            if (!done)
-            {
-                return interrupted();
-            }
-            const AccuracyPoint point =
-                summarise(plans[number].setting, *done, results.references[quantity].value,
-                          static_cast<std::size_t>(plans[number].runs));
-            info("    {}: {}, CPU {:.3g} s  ({} of {}, {})", settingText(point.setting, settings),
-                 point.isWhole()
-                     ? fmt::format("error {:.3g}, worst {:.3g}", point.medianError, point.worstError)
-                     : fmt::format("{} of {} runs FAILED{}: {}", point.failed, point.runs,
-                                   point.runs < point.planned ? ", no more tried" : "",
-                                   reasonOf(point, study.quantities[quantity].kind)),
-                 point.cpuTime, number + 1, plans.size(), sequence.timeLeft());
-            std::fflush(stdout); // a study takes long: its log must show the progress
-            result.points.push_back(point);
-        }
-        results.sweeps.push_back(std::move(result));
-        printLine();
+        settings.push_back(plan.setting);
     }
-    shareMostPhases(results.sweeps);
+    for (std::size_t number = 0; number < plans.size(); ++number)
+    {
+        const auto done = sequence.carryOut(plans[number]);
+        if (!done)
+        {
+            return std::nullopt;
+        }
+        const AccuracyPoint point = summarise(plans[number].setting, *done, references[quantity].value,
+                                              static_cast<std::size_t>(plans[number].runs));
+        info("    {}: {}, CPU {:.3g} s  ({} of {}, {})", settingText(point.setting, settings),
+             errorOrFailure(point, kind), point.cpuTime, number + 1, plans.size(), sequence.timeLeft());
+        std::fflush(stdout); // a study takes long: its log must show the progress
+        result.points.push_back(point);
+    }
+    printLine();
+    return result;
+}
+
+} // namespace
+
+AccuracyResults carryOut(const AccuracyStudy& study, AccuracyRuns& runs)
+{
+    AccuracyResults results;
+    RunSequence sequence(study, runs);
+    results.isInterrupted = !findReferences(study, sequence, results);
+    for (std::size_t index = 0; index < study.sweeps.size() && !results.isInterrupted; ++index)
+    {
+        const std::optional<SweepResult> sweep = carryOutSweep(study, index, sequence, results.references);
+        results.isInterrupted = !sweep;
+        if (sweep)
+        {
+            results.sweeps.push_back(*sweep);
+        }
+    }
+    if (!results.isInterrupted)
+    {
+        shareMostPhases(results.sweeps);
+    }
     return results;
 }
 

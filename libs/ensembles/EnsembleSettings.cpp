@@ -85,6 +85,60 @@ std::string faultOfColumn(const std::string& name)
                : fmt::format("samples.dat has a column {} of its own: choose another name.", name);
 }
 
+std::string faultOfVariables(const EnsembleSettings& settings)
+{
+    std::set<std::string> places;
+    for (const auto& [name, variable] : settings.variables)
+    {
+        if (std::string fault = faultOfName(name); !fault.empty())
+        {
+            return fault;
+        }
+        if (std::string fault = faultOfColumn(name); !fault.empty())
+        {
+            return fault;
+        }
+        if (std::string fault = faultOfNextEntry(variable.place, places); !fault.empty())
+        {
+            return fault;
+        }
+    }
+    return settings.variables.empty() ? "There is no variable." : "";
+}
+
+std::string faultOfResults(const EnsembleSettings& settings)
+{
+    std::set<std::string> names;
+    for (const auto& [name, variable] : settings.variables)
+    {
+        names.insert(name);
+    }
+    for (const auto& [name, result] : settings.results)
+    {
+        if (std::string fault = faultOfNextName(name, names); !fault.empty())
+        {
+            return fault;
+        }
+        if (std::string fault = faultOfColumn(name); !fault.empty())
+        {
+            return fault;
+        }
+    }
+    return settings.results.empty() ? "There is no result." : "";
+}
+
+std::string faultOfStatistics(const EnsembleSettings& settings)
+{
+    for (const auto& [name, statistic] : settings.statistics)
+    {
+        if (name.find('/') != std::string::npos || name == "samples" || name == "statistics")
+        {
+            return "The name " + name + " cannot be that of a table: choose another one.";
+        }
+    }
+    return "";
+}
+
 } // namespace
 
 void declare(Options& options, EnsembleSettings& settings)
@@ -111,61 +165,9 @@ void declare(Options& options, EnsembleSettings& settings)
                   "what is made of the samples; any names, also used for files")
         .example("capacity");
     options.check("applications", [&settings] { return faultOfApplications(settings.applications); });
-    options.check("variables",
-                  [&settings]() -> std::string
-                  {
-                      std::set<std::string> places;
-                      for (const auto& [name, variable] : settings.variables)
-                      {
-                          if (std::string fault = faultOfName(name); !fault.empty())
-                          {
-                              return fault;
-                          }
-                          if (std::string fault = faultOfColumn(name); !fault.empty())
-                          {
-                              return fault;
-                          }
-                          if (std::string fault = faultOfNextEntry(variable.place, places); !fault.empty())
-                          {
-                              return fault;
-                          }
-                      }
-                      return settings.variables.empty() ? "There is no variable." : "";
-                  });
-    options.check("results",
-                  [&settings]() -> std::string
-                  {
-                      std::set<std::string> names;
-                      for (const auto& [name, variable] : settings.variables)
-                      {
-                          names.insert(name);
-                      }
-                      for (const auto& [name, result] : settings.results)
-                      {
-                          if (std::string fault = faultOfNextName(name, names); !fault.empty())
-                          {
-                              return fault;
-                          }
-                          if (std::string fault = faultOfColumn(name); !fault.empty())
-                          {
-                              return fault;
-                          }
-                      }
-                      return settings.results.empty() ? "There is no result." : "";
-                  });
-    options.check("statistics",
-                  [&settings]() -> std::string
-                  {
-                      for (const auto& [name, statistic] : settings.statistics)
-                      {
-                          if (name.find('/') != std::string::npos || name == "samples"
-                              || name == "statistics")
-                          {
-                              return "The name " + name + " cannot be that of a table: choose another one.";
-                          }
-                      }
-                      return "";
-                  });
+    options.check("variables", [&settings] { return faultOfVariables(settings); });
+    options.check("results", [&settings] { return faultOfResults(settings); });
+    options.check("statistics", [&settings] { return faultOfStatistics(settings); });
 }
 
 } // namespace drystone

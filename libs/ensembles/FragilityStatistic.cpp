@@ -300,12 +300,19 @@ std::vector<std::vector<double>> failedRows(FragilityMethod method, const Observ
     return rows;
 }
 
+/// A curve, and those of drawings from its samples.
+struct CurveAndDrawings
+{
+    FragilityFit fit;
+    std::vector<FragilityFit> drawings;
+};
+
 /// The curve with its band, and the part of each stripe, or of the curves, that has failed.
 void draw(StatisticResult& result, const std::string& name, const FragilitySettings& settings,
-          const Observations& observations, const FragilityFit& fit, const std::vector<FragilityFit>& fits)
+          const Observations& observations, const CurveAndDrawings& fitted)
 {
     result.table.columns = {"intensity", "runs", "exceeded", "part", "fitted"};
-    result.table.rows = failedRows(settings.method, observations, fit);
+    result.table.rows = failedRows(settings.method, observations, fitted.fit);
     PlotCurve parts =
         emptyCurve(settings.method == FragilityMethod::multipleStripe ? "stripes" : "curves that have failed",
                    CurveLine::none, CurveMarker::circle);
@@ -319,8 +326,9 @@ void draw(StatisticResult& result, const std::string& name, const FragilitySetti
     plot.y.label = "probability";
     plot.y.lower = 0;
     plot.y.upper = 1;
-    plot.curves = curveAndBand(
-        fit, fits, *std::max_element(observations.intensity.begin(), observations.intensity.end()));
+    plot.curves =
+        curveAndBand(fitted.fit, fitted.drawings,
+                     *std::max_element(observations.intensity.begin(), observations.intensity.end()));
     plot.curves.push_back(std::move(parts));
     result.pictures.emplace_back("", std::move(plot));
 }
@@ -360,10 +368,10 @@ std::string whyNoCurve(const FragilitySettings& settings, const Observations& ob
     return "";
 }
 
-/// Fits a curve to the samples and adds its rows. \param suffix of their names \param isDrawn whether it is
-/// the one of the picture
-void addCurve(StatisticResult& result, const std::string& name, const FragilitySettings& settings,
-              const Observations& observations, const std::string& suffix, bool isDrawn)
+/// Fits a curve to the samples and adds its rows, or a remark on why there is none. \param suffix of their
+/// names
+std::optional<CurveAndDrawings> addCurve(StatisticResult& result, const FragilitySettings& settings,
+                                         const Observations& observations, const std::string& suffix)
 {
     const std::optional<FragilityFit> fit =
         observations.intensity.empty() ? std::nullopt : fitOf(settings.method, observations);
@@ -376,9 +384,9 @@ void addCurve(StatisticResult& result, const std::string& name, const FragilityS
                   "intensities"
                 : "The likelihood has no maximum: no curve fails, or all fail at one intensity. Take "
                   "more curves, or more intensities");
-        return;
+        return std::nullopt;
     }
-    const std::vector<FragilityFit> fits = bootstrap(settings, observations);
+    std::vector<FragilityFit> fits = bootstrap(settings, observations);
     if (static_cast<int>(fits.size()) < settings.bootstrap)
     {
         result.remarks.push_back(
@@ -386,9 +394,16 @@ void addCurve(StatisticResult& result, const std::string& name, const FragilityS
                         settings.bootstrap - static_cast<int>(fits.size()), settings.bootstrap));
     }
     addRows(result, suffix, *fit, fits);
-    if (isDrawn)
+    return CurveAndDrawings{*fit, std::move(fits)};
+}
+
+/// The curve that the picture has, too.
+void addDrawnCurve(StatisticResult& result, const std::string& name, const FragilitySettings& settings,
+                   const Observations& observations, const std::string& suffix)
+{
+    if (const std::optional<CurveAndDrawings> fitted = addCurve(result, settings, observations, suffix))
     {
-        draw(result, name, settings, observations, *fit, fits);
+        draw(result, name, settings, observations, *fitted);
     }
 }
 
@@ -417,16 +432,16 @@ StatisticResult evaluateFragility(const FragilitySettings& settings, const std::
     }
     if (standing.failures == 0)
     {
-        addCurve(result, name, settings, standing, "", true);
+        addDrawnCurve(result, name, settings, standing, "");
         return result;
     }
-    addCurve(result, name, settings, standing, "FailedAsStanding", false);
+    addCurve(result, settings, standing, "FailedAsStanding");
     result.remarks.push_back(
         fmt::format("{} samples have no result: the curve is given with them as standing "
                     "and as fallen; the picture is the latter",
                     standing.failures));
-    addCurve(result, name, settings, observationsOf(settings, table, FailedAs::fallen), "FailedAsFallen",
-             true);
+    addDrawnCurve(result, name, settings, observationsOf(settings, table, FailedAs::fallen),
+                  "FailedAsFallen");
     return result;
 }
 

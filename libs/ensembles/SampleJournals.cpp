@@ -142,10 +142,13 @@ void Journal::sync()
     }
 }
 
-void readJournal(const fs::path& file, std::size_t results, std::map<long, SampleRow>& rows,
-                 std::vector<Doubt>* doubts)
+namespace
 {
-    const std::string plan = planMark(file.parent_path());
+
+/// Takes the rows of one journal. \param plan the mark of those that count; empty: all do
+void takeRows(const fs::path& file, const std::string& plan, std::size_t results,
+              std::map<long, SampleRow>& rows, std::vector<Doubt>* doubts)
+{
     bool isOfPlan = true;
     LeftOut damaged;
     LeftOut ofOthers;
@@ -184,6 +187,14 @@ void readJournal(const fs::path& file, std::size_t results, std::map<long, Sampl
                       "of another ensemble, the plan of which is not that of this folder, this is the first");
 }
 
+} // namespace
+
+void readJournal(const fs::path& file, std::size_t results, std::map<long, SampleRow>& rows,
+                 std::vector<Doubt>* doubts)
+{
+    takeRows(file, planMark(file.parent_path()), results, rows, doubts);
+}
+
 std::map<long, SampleRow> readJournals(const fs::path& work, std::size_t results, std::vector<Doubt>* doubts)
 {
     std::map<long, SampleRow> rows;
@@ -197,9 +208,10 @@ std::map<long, SampleRow> readJournals(const fs::path& work, std::size_t results
         }
     }
     std::sort(files.begin(), files.end());
+    const std::string plan = planMark(work);
     for (const fs::path& file : files)
     {
-        readJournal(file, results, rows, doubts);
+        takeRows(file, plan, results, rows, doubts);
     }
     return rows;
 }

@@ -35,6 +35,22 @@ bool varies(const Distribution& distribution)
                               { return choice.number != choices.front().number; }));
 }
 
+/// The correlation that two normal variables must have, so that the variables have the one that the user
+/// states.
+double correlationOfNormals(const Correlation& correlation, const Distribution& one,
+                            const Distribution& other, const SourceLocation& place)
+{
+    const std::optional<double> rho = natafCorrelation(one, other, correlation.value);
+    if (!rho)
+    {
+        throw FatalIOError(fmt::format("With these distributions {} and {} cannot have the correlation "
+                                       "{:g}: give one nearer to 0.",
+                                       correlation.one, correlation.other, correlation.value),
+                           place);
+    }
+    return *rho;
+}
+
 } // namespace
 
 Sampler::Sampler(const std::vector<Named<EnsembleVariable>>& allVariables,
@@ -44,7 +60,7 @@ Sampler::Sampler(const std::vector<Named<EnsembleVariable>>& allVariables,
 {
     if (design.type == DesignType::table)
     {
-        readTable(dictionary, caseDirectory);
+        readTable(caseDirectory);
     }
     else
     {
@@ -139,7 +155,7 @@ void Sampler::stratifyCorrelated()
     std::vector<std::vector<double>> correlated;
     for (long sample = 0; sample < design.samples; ++sample)
     {
-        correlated.push_back(point(sample, false));
+        correlated.push_back(point(sample));
         correlate(correlated.back());
     }
     std::vector<std::uint32_t> order(correlated.size());
@@ -167,6 +183,22 @@ bool Sampler::isUncorrelated(std::size_t variable) const
     return factor.row(k).head(k).isZero(0);
 }
 
+/// The index of a variable by its name.
+Eigen::Index Sampler::variableOf(const std::string& wanted, const SourceLocation& place) const
+{
+    std::vector<std::string> names;
+    for (const auto& [name, variable] : variables)
+    {
+        names.push_back(name);
+    }
+    const auto found = std::find(names.begin(), names.end(), wanted);
+    if (found == names.end())
+    {
+        throw FatalIOError(unknownWordMessage("variable", wanted, names), place);
+    }
+    return found - names.begin();
+}
+
 /// The Cholesky factor of the correlations that the normal variables must have (Nataf's model), so that the
 /// variables have those that the user states.
 void Sampler::chooseFactor(const std::vector<Correlation>& correlations, const SourceLocation& place)
@@ -180,25 +212,11 @@ void Sampler::chooseFactor(const std::vector<Correlation>& correlations, const S
             place);
     }
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(size, size);
-    const auto indexOf = [&](const std::string& wanted)
-    {
-        std::vector<std::string> names;
-        for (const auto& [name, variable] : variables)
-        {
-            names.push_back(name);
-        }
-        const auto found = std::find(names.begin(), names.end(), wanted);
-        if (found == names.end())
-        {
-            throw FatalIOError(unknownWordMessage("variable", wanted, names), place);
-        }
-        return found - names.begin();
-    };
-    std::set<std::pair<std::ptrdiff_t, std::ptrdiff_t>> pairs;
+    std::set<std::pair<Eigen::Index, Eigen::Index>> pairs;
     for (const Correlation& correlation : correlations)
     {
-        const auto i = indexOf(correlation.one);
-        const auto j = indexOf(correlation.other);
+        const Eigen::Index i = variableOf(correlation.one, place);
+        const Eigen::Index j = variableOf(correlation.other, place);
         const Distribution& one = *variables[static_cast<std::size_t>(i)].second.distribution;
         const Distribution& other = *variables[static_cast<std::size_t>(j)].second.distribution;
         if (i == j || !varies(one) || !varies(other))
@@ -214,15 +232,7 @@ void Sampler::chooseFactor(const std::vector<Correlation>& correlations, const S
                                            correlation.one, correlation.other),
                                place);
         }
-        const std::optional<double> rho = natafCorrelation(one, other, correlation.value);
-        if (!rho)
-        {
-            throw FatalIOError(fmt::format("With these distributions {} and {} cannot have the correlation "
-                                           "{:g}: give one nearer to 0.",
-                                           correlation.one, correlation.other, correlation.value),
-                               place);
-        }
-        matrix(i, j) = matrix(j, i) = *rho;
+        matrix(i, j) = matrix(j, i) = correlationOfNormals(correlation, one, other, place);
     }
     const Eigen::LLT<Eigen::MatrixXd> cholesky(matrix);
     if (cholesky.info() != Eigen::Success)
@@ -234,7 +244,25 @@ void Sampler::chooseFactor(const std::vector<Correlation>& correlations, const S
     factor = cholesky.matrixL();
 }
 
-void Sampler::readTable(const Dictionary&, const std::filesystem::path& caseDirectory)
+/// In which column of a table each variable is.
+std::vector<std::size_t> Sampler::columnsOfVariables(const std::vector<std::string>& columns) const
+{
+    std::vector<std::size_t> places;
+    for (const auto& [name, variable] : variables)
+    {
+        const std::optional<std::size_t> place = findColumn(columns, name);
+        if (!place)
+        {
+            throw FatalIOError(fmt::format("{} has no column {}.\n\nIts columns: {}", design.file, name,
+                                           fmt::join(columns, " ")),
+                               design.location);
+        }
+        places.push_back(*place);
+    }
+    return places;
+}
+
+void Sampler::readTable(const std::filesystem::path& caseDirectory)
 {
     const std::filesystem::path file = caseDirectory / design.file;
     std::ifstream stream(file);
@@ -244,16 +272,13 @@ void Sampler::readTable(const Dictionary&, const std::filesystem::path& caseDire
     }
     skipByteOrderMark(stream);
     std::vector<std::string> columns;
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> places; // known from the first row on
     for (TableLine line; nextLine(stream, line);)
     {
         const std::vector<std::string>& cells = line.words;
         if (line.isHeading)
         {
-            if (places.empty()) // comments between rows are no headings
-            {
-                columns = cells;
-            }
+            columns = places.empty() ? cells : columns; // comments between rows are no headings
             continue;
         }
         if (cells.empty())
@@ -262,17 +287,7 @@ void Sampler::readTable(const Dictionary&, const std::filesystem::path& caseDire
         }
         if (places.empty())
         {
-            for (const auto& [name, variable] : variables)
-            {
-                const std::optional<std::size_t> place = findColumn(columns, name);
-                if (!place)
-                {
-                    throw FatalIOError(fmt::format("{} has no column {}.\n\nIts columns: {}", design.file,
-                                                   name, fmt::join(columns, " ")),
-                                       design.location);
-                }
-                places.push_back(*place);
-            }
+            places = columnsOfVariables(columns);
         }
         if (cells.size() != columns.size())
         {
@@ -294,13 +309,15 @@ void Sampler::readTable(const Dictionary&, const std::filesystem::path& caseDire
     }
 }
 
-std::vector<double> Sampler::point(long index, bool isSecond) const
+/// The probabilities of a point, one a variable, before they are correlated. \param index of the point, not
+/// of the sample
+std::vector<double> Sampler::point(long index, Matrix matrix) const
 {
     const std::size_t size = variables.size();
     std::vector<double> probabilities(size);
     for (std::size_t k = 0; k < size; ++k)
     {
-        const auto dimension = static_cast<std::uint32_t>(isSecond ? size + k : k);
+        const auto dimension = static_cast<std::uint32_t>(matrix == Matrix::b ? size + k : k);
         const auto number = static_cast<std::uint64_t>(index);
         const auto seed = static_cast<std::uint64_t>(design.seed);
         switch (design.type)
@@ -391,19 +408,19 @@ std::vector<SampleValue> Sampler::at(long sample) const
     std::vector<double> probabilities;
     if (design.sensitivity)
     {
-        // Saltelli et al. 2010: A, B, and A with one variable after the other from B.
+        // A, B, and A with one variable after the other from B.
         const auto runs = static_cast<long>(variables.size()) + 2;
         const long role = sample % runs;
-        probabilities = point(sample / runs, role == 1);
+        probabilities = point(sample / runs, role == 1 ? Matrix::b : Matrix::a);
         if (role > 1)
         {
             const auto k = static_cast<std::size_t>(role - 2);
-            probabilities[k] = point(sample / runs, true)[k];
+            probabilities[k] = point(sample / runs, Matrix::b)[k];
         }
     }
     else
     {
-        probabilities = point(sample, false);
+        probabilities = point(sample);
     }
     if (factor.size() > 0 && design.type != DesignType::latinHypercube) // whose parts are correlated
     {

@@ -30,14 +30,23 @@ public:
     std::vector<SampleValue> at(long sample) const;
 
 private:
-    void readTable(const Dictionary& dictionary, const std::filesystem::path& caseDirectory);
+    /// The two independent sets of points of a sensitivity analysis (Saltelli et al. 2010); others have A.
+    enum class Matrix
+    {
+        a,
+        b
+    };
+
+    void readTable(const std::filesystem::path& caseDirectory);
+    std::vector<std::size_t> columnsOfVariables(const std::vector<std::string>& columns) const;
     void requireDistributions(const Dictionary& dictionary) const;
     void countSamples();
     void stratify();
+    Eigen::Index variableOf(const std::string& wanted, const SourceLocation& place) const;
     void chooseFactor(const std::vector<Correlation>& correlations, const SourceLocation& place);
     void stratifyCorrelated();
     bool isUncorrelated(std::size_t variable) const;
-    std::vector<double> point(long index, bool isSecond) const;
+    std::vector<double> point(long index, Matrix matrix = Matrix::a) const;
     std::vector<SampleValue> gridPoint(long sample) const;
     void correlate(std::vector<double>& probabilities) const;
 

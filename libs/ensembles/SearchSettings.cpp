@@ -17,9 +17,6 @@ namespace drystone
 namespace
 {
 
-constexpr const char* insideTheCase =
-    "A search changes and reads copies of the case: give a path within the case directory, relative to it.";
-
 std::vector<std::string> namesOfValues(const ParameterSearchSettings& settings)
 {
     std::vector<std::string> names;
@@ -77,45 +74,87 @@ std::string faultOf(const SearchStage& stage, const ParameterSearchSettings& set
                        fmt::join(others, " "));
 }
 
-/// What is to be known of the algorithms of a search; empty: nothing.
-std::string doubtAbout(const std::vector<SearchStage>& search)
+std::string faultOfCases(const ParameterSearchSettings& settings)
 {
-    const bool hasPraxis =
-        std::any_of(search.begin(), search.end(),
-                    [](const SearchStage& stage) { return stage.algorithm == SearchAlgorithm::PRAXIS; });
-    return hasPraxis ? "PRAXIS knows no bounds: it steps beyond them, where nothing is computed, and an "
-                       "optimum at a bound may be missed. Usual are BOBYQA, or SBPLX where the objective "
-                       "has kinks: they keep to the bounds."
-                     : "";
+    const bool isFine =
+        !settings.cases.empty() && std::all_of(settings.cases.begin(), settings.cases.end(), isInsideCase);
+    return isFine ? ""
+                  : "A search changes and reads copies of the case: give a path within the case directory, "
+                    "relative to it.";
+}
+
+std::string faultOfVariables(const ParameterSearchSettings& settings)
+{
+    std::set<std::string> names;
+    std::set<std::string> places;
+    for (const auto& [name, variable] : settings.variables)
+    {
+        if (std::string fault = faultOfNextName(name, names); !fault.empty())
+        {
+            return fault;
+        }
+        if (std::string fault = faultOfNextEntry(variable.place, places); !fault.empty())
+        {
+            return fault;
+        }
+    }
+    return names.empty() ? "There is no variable." : "";
+}
+
+std::string faultOfResults(const ParameterSearchSettings& settings)
+{
+    std::set<std::string> names;
+    for (const auto& [name, variable] : settings.variables)
+    {
+        names.insert(name);
+    }
+    for (const auto& [name, result] : settings.results)
+    {
+        if (std::string fault = faultOfNextName(name, names); !fault.empty())
+        {
+            return fault;
+        }
+    }
+    return "";
+}
+
+std::string faultOfObjective(const ParameterSearchSettings& settings)
+{
+    // Where all are alike any point that meets the constraints is an answer.
+    const bool mayBeConstant = !settings.constraints.empty();
+    return (mayBeConstant ? faultOfArithmetic : faultOfDependent)(settings.objective.value,
+                                                                  namesOfValues(settings));
+}
+
+std::string faultOfConstraints(const ParameterSearchSettings& settings)
+{
+    for (const auto& [name, constraint] : settings.constraints)
+    {
+        if (std::string fault = faultOfDependent(constraint.value, namesOfValues(settings)); !fault.empty())
+        {
+            return fault;
+        }
+    }
+    return "";
+}
+
+std::string faultOfSearch(const ParameterSearchSettings& settings)
+{
+    if (settings.search.empty())
+    {
+        return "Give at least one algorithm.";
+    }
+    for (const SearchStage& stage : settings.search)
+    {
+        if (std::string fault = faultOf(stage, settings); !fault.empty())
+        {
+            return fault;
+        }
+    }
+    return "";
 }
 
 } // namespace
-
-std::string_view nameOf(SearchAlgorithm algorithm)
-{
-    for (const auto& [name, value] : namesOf(algorithm))
-    {
-        if (value == algorithm)
-        {
-            return name;
-        }
-    }
-    return {};
-}
-
-bool isGlobal(SearchAlgorithm algorithm)
-{
-    using enum SearchAlgorithm;
-    return algorithm == DIRECT || algorithm == DIRECT_L || algorithm == CRS2_LM || algorithm == ISRES
-           || algorithm == ESCH;
-}
-
-bool takesConstraints(SearchAlgorithm algorithm)
-{
-    using enum SearchAlgorithm;
-    return algorithm == bisection || algorithm == DIRECT || algorithm == DIRECT_L || algorithm == ISRES
-           || algorithm == COBYLA;
-}
 
 void declare(Options& options, SearchVariable& variable)
 {
@@ -188,23 +227,6 @@ void declare(Options& options, SearchConstraint& constraint)
                   });
 }
 
-void declare(Options& options, SearchStage& stage)
-{
-    options.required("algorithm", stage.algorithm, "bisection, or one of NLopt").example("BOBYQA");
-    options.optional("maximumEvaluations", stage.maximumEvaluations, "of the objective").atLeast(1);
-    options
-        .optional("tolerance", stage.tolerance,
-                  "a local algorithm ends when variables change by less, as part of the width of the bounds")
-        .above(0)
-        .below(1);
-    options.optional("objectiveTolerance", stage.objectiveTolerance, "... or the objective does").atLeast(0);
-    options.optional("stopValue", stage.stopValue, "ends as soon as the objective is as good as this")
-        .example("1e-9");
-    options.optional("population", stage.population, "of CRS2_LM, ISRES and ESCH; 0: as NLopt chooses")
-        .atLeast(0)
-        .atMost(100000);
-}
-
 void declare(Options& options, ParameterSearchSettings& settings)
 {
     options.required("applications", settings.applications, "run one after the other for each point")
@@ -223,86 +245,12 @@ void declare(Options& options, ParameterSearchSettings& settings)
     options.optional("seed", settings.seed, "of random numbers").atLeast(0);
     options.check("applications", [&settings]
                   { return settings.applications.empty() ? "Nothing is run: give applications." : ""; });
-    options.check("cases",
-                  [&settings]
-                  {
-                      const bool isFine =
-                          !settings.cases.empty()
-                          && std::all_of(settings.cases.begin(), settings.cases.end(), isInsideCase);
-                      return isFine ? "" : insideTheCase;
-                  });
-    options.check("variables",
-                  [&settings]() -> std::string
-                  {
-                      std::set<std::string> names;
-                      std::set<std::string> places;
-                      for (const auto& [name, variable] : settings.variables)
-                      {
-                          if (std::string fault = faultOfNextName(name, names); !fault.empty())
-                          {
-                              return fault;
-                          }
-                          if (std::string fault = faultOfNextEntry(variable.place, places); !fault.empty())
-                          {
-                              return fault;
-                          }
-                      }
-                      return names.empty() ? "There is no variable." : "";
-                  });
-    options.check("results",
-                  [&settings]() -> std::string
-                  {
-                      std::set<std::string> names;
-                      for (const auto& [name, variable] : settings.variables)
-                      {
-                          names.insert(name);
-                      }
-                      for (const auto& [name, result] : settings.results)
-                      {
-                          if (std::string fault = faultOfNextName(name, names); !fault.empty())
-                          {
-                              return fault;
-                          }
-                      }
-                      return "";
-                  });
-    options.check("objective",
-                  [&settings]
-                  {
-                      // Where all are alike any point that meets the constraints is an answer.
-                      const bool mayBeConstant = !settings.constraints.empty();
-                      return (mayBeConstant ? faultOfArithmetic : faultOfDependent)(settings.objective.value,
-                                                                                    namesOfValues(settings));
-                  });
-    options.check("constraints",
-                  [&settings]() -> std::string
-                  {
-                      for (const auto& [name, constraint] : settings.constraints)
-                      {
-                          if (std::string fault = faultOfDependent(constraint.value, namesOfValues(settings));
-                              !fault.empty())
-                          {
-                              return fault;
-                          }
-                      }
-                      return "";
-                  });
-    options.check("search",
-                  [&settings]() -> std::string
-                  {
-                      if (settings.search.empty())
-                      {
-                          return "Give at least one algorithm.";
-                      }
-                      for (const SearchStage& stage : settings.search)
-                      {
-                          if (std::string fault = faultOf(stage, settings); !fault.empty())
-                          {
-                              return fault;
-                          }
-                      }
-                      return "";
-                  });
+    options.check("cases", [&settings] { return faultOfCases(settings); });
+    options.check("variables", [&settings] { return faultOfVariables(settings); });
+    options.check("results", [&settings] { return faultOfResults(settings); });
+    options.check("objective", [&settings] { return faultOfObjective(settings); });
+    options.check("constraints", [&settings] { return faultOfConstraints(settings); });
+    options.check("search", [&settings] { return faultOfSearch(settings); });
     options.question("search", [&settings] { return doubtAbout(settings.search); });
 }
 

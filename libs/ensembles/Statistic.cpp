@@ -17,6 +17,7 @@
 #include <iterator>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 namespace drystone
@@ -55,9 +56,8 @@ std::pair<double, double> moments(const std::vector<double>& values)
     return {mean, values.size() > 1 ? std::sqrt(squares / static_cast<double>(values.size() - 1)) : 0};
 }
 
-/// Steps of equal width, with the lognormal density (or the normal one where values are not all positive).
-Plot histogram(const std::string& name, const std::string& value, const std::vector<double>& sorted,
-               StatisticTable& table)
+/// Steps of equal width; their densities are the rows of the table.
+PlotCurve histogramSteps(const std::vector<double>& sorted, StatisticTable& table)
 {
     const double low = sorted.front();
     const double high = sorted.back();
@@ -83,11 +83,14 @@ Plot histogram(const std::string& name, const std::string& value, const std::vec
     }
     steps.x.push_back(low + bins * width);
     steps.y.push_back(0);
-    Plot plot;
-    plot.title = fmt::format("{}: distribution of {}", name, value);
-    plot.x.label = value;
-    plot.y.label = "probability density";
-    plot.curves.push_back(std::move(steps));
+    return steps;
+}
+
+/// The lognormal density, or the normal one where values are not all positive; nothing where all are equal.
+std::optional<PlotCurve> fittedDensity(const std::vector<double>& sorted)
+{
+    const double low = sorted.front();
+    const double high = sorted.back();
     const bool isPositive = low > 0;
     std::vector<double> fitted = sorted;
     if (isPositive)
@@ -95,25 +98,41 @@ Plot histogram(const std::string& name, const std::string& value, const std::vec
         std::transform(fitted.begin(), fitted.end(), fitted.begin(), [](double x) { return std::log(x); });
     }
     const auto [mean, deviation] = moments(fitted);
-    if (deviation > 0)
+    if (!(deviation > 0))
     {
-        PlotCurve curve{isPositive
-                            ? fmt::format("lognormal, median {:.4g}, beta {:.4g}", std::exp(mean), deviation)
-                            : fmt::format("normal, mean {:.4g}, deviation {:.4g}", mean, deviation),
-                        {},
-                        {},
-                        CurveLine::dashed,
-                        CurveMarker::none,
-                        {}};
-        for (int i = 0; i <= 100; ++i)
-        {
-            const double x = low + (high - low) * i / 100;
-            const double z = ((isPositive ? std::log(x) : x) - mean) / deviation;
-            curve.x.push_back(x);
-            curve.y.push_back(std::exp(-z * z / 2)
-                              / (std::sqrt(2 * std::numbers::pi) * deviation * (isPositive ? x : 1)));
-        }
-        plot.curves.push_back(std::move(curve));
+        return std::nullopt;
+    }
+    PlotCurve curve{isPositive
+                        ? fmt::format("lognormal, median {:.4g}, beta {:.4g}", std::exp(mean), deviation)
+                        : fmt::format("normal, mean {:.4g}, deviation {:.4g}", mean, deviation),
+                    {},
+                    {},
+                    CurveLine::dashed,
+                    CurveMarker::none,
+                    {}};
+    for (int i = 0; i <= 100; ++i)
+    {
+        const double x = low + (high - low) * i / 100;
+        const double z = ((isPositive ? std::log(x) : x) - mean) / deviation;
+        curve.x.push_back(x);
+        curve.y.push_back(std::exp(-z * z / 2)
+                          / (std::sqrt(2 * std::numbers::pi) * deviation * (isPositive ? x : 1)));
+    }
+    return curve;
+}
+
+/// The samples in steps, with a density that is fitted to them.
+Plot histogram(const std::string& name, const std::string& value, const std::vector<double>& sorted,
+               StatisticTable& table)
+{
+    Plot plot;
+    plot.title = fmt::format("{}: distribution of {}", name, value);
+    plot.x.label = value;
+    plot.y.label = "probability density";
+    plot.curves.push_back(histogramSteps(sorted, table));
+    if (std::optional<PlotCurve> density = fittedDensity(sorted))
+    {
+        plot.curves.push_back(std::move(*density));
     }
     return plot;
 }

@@ -211,19 +211,19 @@ EffectAdvice adviseEffects(const DynamicCase<2>& scene, const DynamicState<2>& s
     return advice;
 }
 
-std::string adviceText(const DynamicCase<2>& scene, const EffectAdvice& advice)
+namespace
 {
-    std::string text = "Advice by closed-form criteria for rigid blocks (no setting is changed):\n";
-    if (!advice.isAssessed)
-    {
-        return text + fmt::format("    none: {}.\n", advice.reason);
-    }
-    if (advice.capacity == 0)
-    {
-        return text + "    The blocks cannot carry their dead load: they move by themselves.\n";
-    }
 
+/// What is advised, and what is to be warned of below all advice.
+struct Advice
+{
+    std::string sentences;
     std::string warnings;
+};
+
+/// Whether the ground moves the blocks at all.
+void adviseOnMotion(const DynamicCase<2>& scene, const EffectAdvice& advice, Advice& text)
+{
     const double gravity = scene.gravity.norm();
     const double peak = advice.peak / (gravity > 0 ? gravity : 1);
     const std::string alpha = std::isinf(advice.capacity)
@@ -231,49 +231,73 @@ std::string adviceText(const DynamicCase<2>& scene, const EffectAdvice& advice)
                                   : fmt::format("alpha = {:.6g}", advice.capacity * peak);
     if (advice.peak == 0)
     {
-        text += "    The ground is still and the blocks carry their dead load: they stay at rest, and "
-                "limitAnalysis suffices.\n";
+        text.sentences +=
+            "    The ground is still and the blocks carry their dead load: they stay at rest, and "
+            "limitAnalysis suffices.\n";
     }
     else if (advice.capacity > 1)
     {
-        text += fmt::format("    Peak a/g = {:.6g} is below what the blocks carry at rest ({}): "
-                            "limitAnalysis suffices.\n",
-                            peak, alpha);
+        text.sentences += fmt::format("    Peak a/g = {:.6g} is below what the blocks carry at rest ({}): "
+                                      "limitAnalysis suffices.\n",
+                                      peak, alpha);
     }
     else
     {
-        text +=
+        text.sentences +=
             fmt::format("    Peak a/g = {:.6g} exceeds what the blocks carry at rest ({}): they may move, "
                         "which requires contactDynamics.\n",
                         peak, alpha);
     }
     if (advice.peak > 0 && margin(1, advice.capacity) == Margin::nearLimit)
     {
-        warnings += "    Warning: the peak is within 5% of that limit. Tolerances, small gaps and the flow "
-                    "rule decide there: do not rely on either answer.\n";
+        text.warnings +=
+            "    Warning: the peak is within 5% of that limit. Tolerances, small gaps and the flow "
+            "rule decide there: do not rely on either answer.\n";
     }
     if (scene.flowRule() == FlowRule::nonAssociative && advice.peak > 0 && advice.capacity > 1)
     {
-        warnings += "    With `flowRule nonAssociative;` blocks may move below alpha as well: limitAnalysis "
-                    "with that flow rule gives the range.\n";
+        text.warnings +=
+            "    With `flowRule nonAssociative;` blocks may move below alpha as well: limitAnalysis "
+            "with that flow rule gives the range.\n";
     }
+}
 
+/// Whether joints slide before blocks rock.
+void adviseOnFriction(const EffectAdvice& advice, Advice& text)
+{
     if (std::isnan(advice.frictionDemand))
     {
-        return text
-               + "    The friction demand is not known: limit analysis without sliding did not converge.\n"
-               + warnings;
+        text.sentences +=
+            "    The friction demand is not known: limit analysis without sliding did not converge.\n";
+        return;
     }
     const bool slides = advice.frictionDemand >= advice.mu;
-    text += fmt::format("    Friction demand {:.4g} is {} mu = {:.6g}: {}.\n", advice.frictionDemand,
-                        slides ? "not below" : "below", advice.mu,
-                        slides ? "joints slide, and the flow rule matters"
-                               : "no joint slides before blocks rock");
+    text.sentences += fmt::format("    Friction demand {:.4g} is {} mu = {:.6g}: {}.\n",
+                                  advice.frictionDemand, slides ? "not below" : "below", advice.mu,
+                                  slides ? "joints slide, and the flow rule matters"
+                                         : "no joint slides before blocks rock");
     if (advice.frictionDemand > 0 && margin(advice.frictionDemand, advice.mu) == Margin::nearLimit)
     {
-        warnings += "    Warning: the friction demand is within 5% of mu.\n";
+        text.warnings += "    Warning: the friction demand is within 5% of mu.\n";
     }
-    return text + warnings;
+}
+
+} // namespace
+
+std::string adviceText(const DynamicCase<2>& scene, const EffectAdvice& advice)
+{
+    Advice text{"Advice by closed-form criteria for rigid blocks (no setting is changed):\n", ""};
+    if (!advice.isAssessed)
+    {
+        return text.sentences + fmt::format("    none: {}.\n", advice.reason);
+    }
+    if (advice.capacity == 0)
+    {
+        return text.sentences + "    The blocks cannot carry their dead load: they move by themselves.\n";
+    }
+    adviseOnMotion(scene, advice, text);
+    adviseOnFriction(advice, text);
+    return text.sentences + text.warnings;
 }
 
 } // namespace drystone

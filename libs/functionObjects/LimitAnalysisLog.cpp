@@ -376,13 +376,13 @@ bool isCollapseProgress(std::string_view line)
                || line.substr(coulombWords.size()).starts_with(startWord));
 }
 
-std::function<void(const CollapseProgress&)> collapseProgressLog(bool isLimited,
+std::function<void(const CollapseProgress&)> collapseProgressLog(SearchTime time,
                                                                  std::function<double()> clock)
 {
     constexpr double every = 10;  // [s]
     constexpr double isLong = 30; // likewise
     const double begin = clock();
-    return [isLimited, clock = std::move(clock), begin, last = begin,
+    return [time, clock = std::move(clock), begin, last = begin,
             hasSaid = false](const CollapseProgress& progress) mutable
     {
         if (clock() - last >= every)
@@ -395,7 +395,7 @@ std::function<void(const CollapseProgress&)> collapseProgressLog(bool isLimited,
                      ? fmt::format("lowest collapse so far {:.6g}", progress.lowest)
                      : "no collapse met yet",
                  last);
-            if (!isLimited && !hasSaid && last - begin >= isLong)
+            if (time == SearchTime::endless && !hasSaid && last - begin >= isLong)
             {
                 hasSaid = true;
                 printLine("This may last long. `nonAssociative { maximumTime 600; }` in "
@@ -406,6 +406,58 @@ std::function<void(const CollapseProgress&)> collapseProgressLog(bool isLimited,
         }
     };
 }
+
+namespace
+{
+
+/// The multiplier, as far as there is one, and what it means.
+template<int Dim>
+void printMultiplier(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
+{
+    if (result.status == CollapseStatus::optimal)
+    {
+        if (structure.movement)
+        {
+            info("Base reaction of {} against its movement = {:.9g} N",
+                 structure.assembly.supports[structure.movement->support].name, result.alpha);
+        }
+        info("Collapse load multiplier alpha = {:.9g}", result.alpha + 0.0); // no -0
+        printWholeJoints(structure, result);
+        for (const std::string& sentence : loadMeaning(structure, result))
+        {
+            printLine(sentence);
+        }
+    }
+    if (result.status == CollapseStatus::upperBound && std::isfinite(result.alpha))
+    {
+        info("Collapse load multiplier alpha {} {:.9g}", boundSign(result), result.alpha);
+    }
+    if (result.coulomb)
+    {
+        printCoulombRange(*result.coulomb, result);
+    }
+}
+
+/// How the analysis has ended, and what is to be known where it is no collapse.
+template<int Dim>
+void printStatus(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
+{
+    info("Status: {}", statusText(structure, result));
+    if (result.held)
+    {
+        info("{} live load holds the blocks up: they stand for alpha from {} to {}",
+             whereText(structure, result), alphaText(result.held->least), alphaText(result.held->largest));
+    }
+    else if (result.status == CollapseStatus::unstable)
+    {
+        if (const std::string cause = instabilityCause(structure.assembly, structure.points); !cause.empty())
+        {
+            printLine(cause);
+        }
+    }
+}
+
+} // namespace
 
 template<int Dim>
 void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results)
@@ -418,43 +470,8 @@ void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vect
         {
             info("Combination {}", result.combination);
         }
-        if (result.status == CollapseStatus::optimal)
-        {
-            if (structure.movement)
-            {
-                info("Base reaction of {} against its movement = {:.9g} N",
-                     structure.assembly.supports[structure.movement->support].name, result.alpha);
-            }
-            info("Collapse load multiplier alpha = {:.9g}", result.alpha + 0.0); // no -0
-            printWholeJoints(structure, result);
-            for (const std::string& sentence : loadMeaning(structure, result))
-            {
-                printLine(sentence);
-            }
-        }
-        if (result.status == CollapseStatus::upperBound && std::isfinite(result.alpha))
-        {
-            info("Collapse load multiplier alpha {} {:.9g}", boundSign(result), result.alpha);
-        }
-        if (result.coulomb)
-        {
-            printCoulombRange(*result.coulomb, result);
-        }
-        info("Status: {}", statusText(structure, result));
-        if (result.held)
-        {
-            info("{} live load holds the blocks up: they stand for alpha from {} to {}",
-                 whereText(structure, result), alphaText(result.held->least),
-                 alphaText(result.held->largest));
-        }
-        else if (result.status == CollapseStatus::unstable)
-        {
-            if (const std::string cause = instabilityCause(structure.assembly, structure.points);
-                !cause.empty())
-            {
-                printLine(cause);
-            }
-        }
+        printMultiplier(structure, result);
+        printStatus(structure, result);
         question(doubtsAboutCrushing(structure, result));
         question(doubtsAboutLargeStrengths(structure.contact, result));
         const Certificate& certificate = result.certificate;

@@ -19,10 +19,17 @@ template<int Dim>
 void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
                             const std::filesystem::path& caseDirectory);
 
+/// Whether nonAssociative/maximumTime ends a search for collapses by Coulomb's law.
+enum class SearchTime
+{
+    endless,
+    limited
+};
+
 /// Reports every ten seconds how far a search for collapses by Coulomb's law has come, for
-/// NonAssociativeSettings::observe, and after half a minute, once, which key would end it. \param isLimited
-/// that key is given \param clock [s]
-std::function<void(const CollapseProgress&)> collapseProgressLog(bool isLimited,
+/// NonAssociativeSettings::observe, and of an endless one after half a minute, once, which key would end it.
+/// \param clock [s]
+std::function<void(const CollapseProgress&)> collapseProgressLog(SearchTime time,
                                                                  std::function<double()> clock = clockTime);
 
 /// How a line of the log on a search for collapses by Coulomb's law begins.

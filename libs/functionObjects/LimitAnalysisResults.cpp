@@ -213,39 +213,32 @@ std::vector<Field> awakeBlocks(const LimitAnalysisCase<Dim>& structure, const Li
     return {std::move(isAwake)};
 }
 
-/// Writes mechanism, forces and thrust of one answer. \param suffix of the file names
+/// The motion of all blocks as it is shown: with a settlement the support that moves, by its unit movement.
 template<int Dim>
-void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<Dim>& structure,
-                 const LimitAnalysis& result, const std::string& suffix, const AnswerPictures& pictures)
+Rates<Dim> shownRates(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
 {
     const Assembly<Dim>& assembly = structure.assembly;
-    const auto file = [&](const std::string& name, const std::string& extension = "")
-    { return limitAnalysisTable(caseDirectory).replace_filename(name + suffix + extension); };
     Rates<Dim> rates = ratesOfAllBlocks(assembly, result.mechanism);
-    if (structure.movement && result.status == CollapseStatus::optimal)
+    if (!structure.movement || result.status != CollapseStatus::optimal)
     {
-        // The mechanism corresponds to a unit movement of the support.
-        for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
+        return rates;
+    }
+    for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
+    {
+        if (assembly.blocks[block].support == structure.movement->support)
         {
-            if (assembly.blocks[block].support == structure.movement->support)
-            {
-                rates.col(static_cast<Eigen::Index>(block)).template head<Dim>() =
-                    structure.movement->direction;
-            }
+            rates.col(static_cast<Eigen::Index>(block)).template head<Dim>() = structure.movement->direction;
         }
     }
-    VtkSeries blocks(caseDirectory / "VTK", "blocks" + suffix, 0, "limitAnalysis");
-    writeMechanism(blocks, assembly, rates, awakeBlocks(structure, result));
+    return rates;
+}
 
-    const std::vector<Vector<Dim>> forces = pointForces<Dim>(result.contactForce);
-    VtkSeries contacts(caseDirectory / "VTK", "contacts" + suffix, 0, "limitAnalysis");
-    contacts.write(0,
-                   contactFrame(structure.points, forces,
-                                contactStates(forces, structure.friction, cohesionsOf(structure.program))));
-    writeWholeFile(file("thrust", ".dat"), thrustText(structure.points, forces));
-    VtkSeries thrust(caseDirectory / "VTK", "thrust" + suffix, 0, "limitAnalysis");
-    thrust.write(0, thrustFrame(jointForces(structure.points, forces)));
-
+/// What the pictures of one answer have in common.
+template<int Dim>
+MechanismPicture pictureOf(const std::filesystem::path& caseDirectory,
+                           const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result,
+                           const AnswerPictures& pictures)
+{
     MechanismPicture picture;
     picture.title = caseName(caseDirectory);
     picture.subtitle =
@@ -258,6 +251,40 @@ void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysis
     picture.towardsViewer = pictures.towardsViewer;
     picture.load = loadArrow(structure, result);
     picture.loadPlaces = loadPlaces(structure, result);
+    return picture;
+}
+
+/// Mechanism, contact points and thrust as series of VTK. \param forces of the points \param suffix of the
+/// file names
+template<int Dim>
+void writeFields(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<Dim>& structure,
+                 const LimitAnalysis& result, const Rates<Dim>& rates, const std::vector<Vector<Dim>>& forces,
+                 const std::string& suffix)
+{
+    VtkSeries blocks(caseDirectory / "VTK", "blocks" + suffix, 0, "limitAnalysis");
+    writeMechanism(blocks, structure.assembly, rates, awakeBlocks(structure, result));
+    VtkSeries contacts(caseDirectory / "VTK", "contacts" + suffix, 0, "limitAnalysis");
+    contacts.write(0,
+                   contactFrame(structure.points, forces,
+                                contactStates(forces, structure.friction, cohesionsOf(structure.program))));
+    VtkSeries thrust(caseDirectory / "VTK", "thrust" + suffix, 0, "limitAnalysis");
+    thrust.write(0, thrustFrame(jointForces(structure.points, forces)));
+}
+
+/// Writes mechanism, forces and thrust of one answer. \param suffix of the file names
+template<int Dim>
+void writeAnswer(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<Dim>& structure,
+                 const LimitAnalysis& result, const std::string& suffix, const AnswerPictures& pictures)
+{
+    const Assembly<Dim>& assembly = structure.assembly;
+    const auto file = [&](const std::string& name, const std::string& extension = "")
+    { return limitAnalysisTable(caseDirectory).replace_filename(name + suffix + extension); };
+    const Rates<Dim> rates = shownRates(structure, result);
+    const std::vector<Vector<Dim>> forces = pointForces<Dim>(result.contactForce);
+    writeFields(caseDirectory, structure, result, rates, forces, suffix);
+    writeWholeFile(file("thrust", ".dat"), thrustText(structure.points, forces));
+
+    MechanismPicture picture = pictureOf(caseDirectory, structure, result, pictures);
     const double drawn = 0.5 * meanBlockSize(assembly);
     if (!rates.isZero(0)) // as where no load of its direction makes it collapse
     {

@@ -6,7 +6,7 @@
 #include "core/WholeFile.h"
 #include "functionObjects/EarlierResults.h"
 #include "functionObjects/LoadMeaning.h"
-#include "io/MechanismPicture.h"
+#include "io/JointForces.h"
 #include "quantities/LimitAnalysisFigures.h"
 
 #include <fmt/format.h>
@@ -15,6 +15,49 @@
 
 namespace drystone
 {
+namespace
+{
+
+/// Joints that carry no more than this are not in the table [N].
+template<int Dim>
+double leastInTable(const std::vector<Vector<Dim>>& forces)
+{
+    double largest = 0;
+    for (const Vector<Dim>& force : forces)
+    {
+        largest = std::max(largest, force.norm());
+    }
+    return 1e-6 * largest;
+}
+
+/// The middle between the ends of a joint: hinges of crushing add points near one of them, so that it is not
+/// the mean of the points.
+Vector<2> middleOfEnds(const std::vector<ContactPoint<2>>& points, const JointSum<2>& joint)
+{
+    const Vector<2>& first = points[joint.begin].position;
+    const Vector<2> direction = tangent(points[joint.begin]);
+    double lower = 0;
+    double upper = 0;
+    for (std::size_t i = joint.begin; i < joint.end; ++i)
+    {
+        const double along = direction.dot(points[i].position - first);
+        lower = std::min(lower, along);
+        upper = std::max(upper, along);
+    }
+    return first + (lower + upper) / 2 * direction;
+}
+
+Vector<3> meanPlace(const std::vector<ContactPoint<3>>& points, const JointSum<3>& joint)
+{
+    Vector<3> sum = Vector<3>::Zero();
+    for (std::size_t i = joint.begin; i < joint.end; ++i)
+    {
+        sum += points[i].position;
+    }
+    return sum / static_cast<double>(joint.end - joint.begin);
+}
+
+} // namespace
 
 template<int Dim>
 std::string tableText(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results,
@@ -35,92 +78,59 @@ std::string tableText(const LimitAnalysisCase<Dim>& structure, const std::vector
 
 std::string thrustText(const std::vector<ContactPoint<2>>& points, const std::vector<Vector<2>>& forces)
 {
-    double largest = 0;
-    for (const Vector<2>& force : forces)
-    {
-        largest = std::max(largest, force.norm());
-    }
+    const double least = leastInTable(forces);
     std::string text =
         "# x[m] y[m] normalForce[N] shearForce[N] moment[Nm] eccentricity[m] block[-] neighbour[-]\n";
-    for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+    for (const JointSum<2>& joint : jointSums(points, forces))
     {
-        // The middle is that of the ends: between them hinges of crushing add points near one of them.
-        const Vector<2> direction = tangent(points[begin]);
-        const auto along = [&](std::size_t i, const Vector<2>& from)
-        { return direction.dot(points[i].position - from); };
-        const Vector<2> first = points[begin].position;
-        Vector<2> force = Vector<2>::Zero();
-        double size = 0;
-        double lower = 0;
-        double upper = 0;
-        for (end = begin; end < points.size() && points[end].joint == points[begin].joint; ++end)
-        {
-            force += forces[end];
-            size += forces[end].norm();
-            lower = std::min(lower, along(end, first));
-            upper = std::max(upper, along(end, first));
-        }
-        const Vector<2> middle = first + (lower + upper) / 2 * direction;
-        double moment = 0;
-        for (std::size_t i = begin; i < end; ++i)
-        {
-            moment += forces[i].x() * along(i, middle);
-        }
-        if (force.norm() <= 1e-6 * largest)
+        const Vector<2>& force = joint.inJoint;
+        if (force.norm() <= least)
         {
             continue;
         }
-        const double eccentricity = hasCentreOfPressure(force.x(), size) ? moment / force.x() : 0;
+        const Vector<2> direction = tangent(points[joint.begin]);
+        const Vector<2> middle = middleOfEnds(points, joint);
+        double moment = 0;
+        for (std::size_t i = joint.begin; i < joint.end; ++i)
+        {
+            moment += forces[i].x() * direction.dot(points[i].position - middle);
+        }
+        const double eccentricity = joint.hasCentreOfPressure() ? moment / force.x() : 0;
         const Vector<2> pressure = middle + eccentricity * direction;
         text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {} {}\n", pressure.x(), pressure.y(),
-                            force.x(), force.y(), moment, eccentricity, points[begin].block,
-                            points[begin].neighbour);
+                            force.x(), force.y(), moment, eccentricity, points[joint.begin].block,
+                            points[joint.begin].neighbour);
     }
     return text;
 }
 
 std::string thrustText(const std::vector<ContactPoint<3>>& points, const std::vector<Vector<3>>& forces)
 {
-    double largest = 0;
-    for (const Vector<3>& force : forces)
-    {
-        largest = std::max(largest, force.norm());
-    }
+    const double least = leastInTable(forces);
     std::string text = "# x[m] y[m] z[m] fx[N] fy[N] fz[N] normalForce[N] shearForce[N] torsion[Nm] block[-] "
                        "neighbour[-]\n";
-    for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end)
+    for (const JointSum<3>& joint : jointSums(points, forces))
     {
-        Vector<3> force = Vector<3>::Zero();
-        Vector<3> centre = Vector<3>::Zero();
-        Vector<3> middle = Vector<3>::Zero();
-        double pressure = 0;
-        double size = 0;
-        for (end = begin; end < points.size() && points[end].joint == points[begin].joint; ++end)
-        {
-            force += contactFrame(points[end]) * forces[end];
-            centre += forces[end].x() * points[end].position;
-            middle += points[end].position;
-            pressure += forces[end].x();
-            size += forces[end].norm();
-        }
-        if (force.norm() <= 1e-6 * largest)
+        const Vector<3>& force = joint.force;
+        if (force.norm() <= least)
         {
             continue;
         }
-        centre = hasCentreOfPressure(pressure, size) ? Vector<3>(centre / pressure)
-                                                     : Vector<3>(middle / static_cast<double>(end - begin));
+        const ContactPoint<3>& first = points[joint.begin];
+        const Vector<3> centre =
+            joint.hasCentreOfPressure() ? joint.centreOfPressure() : meanPlace(points, joint);
         double torsion = 0;
-        for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t i = joint.begin; i < joint.end; ++i)
         {
             const Vector<3> arm = points[i].position - centre;
             const Vector<3> at = contactFrame(points[i]) * forces[i];
-            torsion += points[begin].normal.dot(momentOf(arm, at));
+            torsion += first.normal.dot(momentOf(arm, at));
         }
-        const double normalForce = force.dot(points[begin].normal);
-        const double shear = (force - normalForce * points[begin].normal).norm();
+        const double normalForce = force.dot(first.normal);
+        const double shear = (force - normalForce * first.normal).norm();
         text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {} {}\n",
                             centre.x(), centre.y(), centre.z(), force.x(), force.y(), force.z(), normalForce,
-                            shear, torsion, points[begin].block, points[begin].neighbour);
+                            shear, torsion, first.block, first.neighbour);
     }
     return text;
 }

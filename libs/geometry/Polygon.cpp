@@ -41,15 +41,14 @@ AreaProperties areaProperties(const Polygon& polygon)
     return properties;
 }
 
-Polygon withoutStraightVertices(const Polygon& polygon, double tolerance)
+namespace
+{
+
+/// The sharpest corner, which no straight run can pass through.
+std::size_t sharpestCorner(const Polygon& polygon)
 {
     const std::size_t size = polygon.size();
-    if (size < 4)
-    {
-        return polygon;
-    }
-    // Start at the sharpest corner, which no straight run can pass through.
-    std::size_t start = 0;
+    std::size_t sharpest = 0;
     double smallestCosine = 2;
     for (std::size_t i = 0; i < size; ++i)
     {
@@ -60,49 +59,82 @@ Polygon withoutStraightVertices(const Polygon& polygon, double tolerance)
         if (cosine < smallestCosine)
         {
             smallestCosine = cosine;
-            start = i;
+            sharpest = i;
         }
     }
-    // A run from `anchor` may be extended to a vertex as long as one chord passes within the tolerance of
-    // every vertex between: seen from the anchor, a vertex at distance d admits directions within
-    // asin(tolerance/d) of its own. The interval [low, high] is their intersection (angles from the first
-    // edge of the run), so each vertex is visited once.
-    Polygon kept{polygon[start]};
-    Vector<2> anchor = polygon[start];
-    Vector<2> reference = Vector<2>::Zero();
-    double low = 0;
-    double high = 0;
-    double reached = 0;
-    for (std::size_t step = 1; step <= size; ++step)
+    return sharpest;
+}
+
+/// A run of vertices that are on one chord from its first one, the anchor, within a tolerance.
+///
+/// It may be extended to a vertex as long as one chord passes within the tolerance of every vertex between:
+/// seen from the anchor, a vertex at distance d admits directions within asin(tolerance/d) of its own. The
+/// interval [low, high] is their intersection (angles from the first edge of the run), so each vertex is
+/// visited once.
+class StraightRun
+{
+public:
+    StraightRun(const Vector<2>& from, double mostApart) : anchor(from), tolerance(mostApart) {}
+
+    /// Lets the chord pass by the vertex that the run has reached; vertices come in their order.
+    void passBy(const Vector<2>& vertex)
     {
-        const Vector<2>& vertex = polygon[(start + step) % size];
-        const Vector<2>& previous = polygon[(start + step - 1) % size];
         const Vector<2> arm = vertex - anchor;
         const double distance = arm.norm();
-        if (step > 1)
+        if (reference.isZero())
         {
-            const Vector<2> previousArm = previous - anchor;
-            const double previousDistance = previousArm.norm();
-            if (reference.isZero())
-            {
-                reference = previousArm;
-                low = -std::numbers::pi / 2;
-                high = std::numbers::pi / 2;
-            }
-            const auto angleOf = [&](const Vector<2>& a)
-            { return std::atan2(cross(reference, a), reference.dot(a)); };
-            const double halfWidth = std::asin(std::min(1.0, tolerance / previousDistance));
-            low = std::max(low, angleOf(previousArm) - halfWidth);
-            high = std::min(high, angleOf(previousArm) + halfWidth);
-            reached = std::max(reached, previousDistance);
-            const double angle = angleOf(arm);
-            if (angle < low || angle > high || distance < reached)
-            {
-                kept.push_back(previous);
-                anchor = previous;
-                reference.setZero();
-                reached = 0;
-            }
+            reference = arm;
+            low = -std::numbers::pi / 2;
+            high = std::numbers::pi / 2;
+        }
+        const double halfWidth = std::asin(std::min(1.0, tolerance / distance));
+        low = std::max(low, angleOf(arm) - halfWidth);
+        high = std::min(high, angleOf(arm) + halfWidth);
+        reached = std::max(reached, distance);
+    }
+
+    /// Whether the run may go on to a vertex; not back.
+    bool reaches(const Vector<2>& vertex) const
+    {
+        const Vector<2> arm = vertex - anchor;
+        const double angle = angleOf(arm);
+        return !(angle < low || angle > high || arm.norm() < reached);
+    }
+
+private:
+    double angleOf(const Vector<2>& arm) const
+    {
+        return std::atan2(cross(reference, arm), reference.dot(arm));
+    }
+
+    Vector<2> anchor;
+    double tolerance;
+    Vector<2> reference = Vector<2>::Zero(); ///< the first edge
+    double low = 0;
+    double high = 0;
+    double reached = 0; ///< the largest distance from the anchor
+};
+
+} // namespace
+
+Polygon withoutStraightVertices(const Polygon& polygon, double tolerance)
+{
+    const std::size_t size = polygon.size();
+    if (size < 4)
+    {
+        return polygon;
+    }
+    const std::size_t start = sharpestCorner(polygon);
+    Polygon kept{polygon[start]};
+    StraightRun run(polygon[start], tolerance);
+    for (std::size_t step = 2; step <= size; ++step)
+    {
+        const Vector<2>& previous = polygon[(start + step - 1) % size];
+        run.passBy(previous);
+        if (!run.reaches(polygon[(start + step) % size]))
+        {
+            kept.push_back(previous);
+            run = StraightRun(previous, tolerance);
         }
     }
     return kept.size() >= 3 ? kept : polygon;

@@ -14,9 +14,9 @@ namespace drystone
 class ByteReader
 {
 public:
-    /// \param from byte of the file where it begins \param isBigEndian the byte order of the numbers
-    ByteReader(const ImportedFile& source, std::size_t from, bool isBigEndian)
-        : file(source), at(from), isSwapped(isBigEndian != (std::endian::native == std::endian::big))
+    /// \param from byte of the file where it begins \param order of the bytes of a number
+    ByteReader(const ImportedFile& source, std::size_t from, std::endian order)
+        : file(source), at(from), isSwapped(order != std::endian::native)
     {
     }
 

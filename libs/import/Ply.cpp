@@ -151,7 +151,8 @@ class Bytes
 {
 public:
     Bytes(const ImportedFile& source, const Header& header)
-        : file(source), bytes(source, header.end, header.format == Format::big)
+        : file(source),
+          bytes(source, header.end, header.format == Format::big ? std::endian::big : std::endian::little)
     {
     }
     double take(Type type, Meaning meaning)

@@ -31,7 +31,7 @@ bool isBinary(const ImportedFile& file)
     {
         return false;
     }
-    const auto count = ByteReader(file, lengthOfHeader, false).take<std::uint32_t>();
+    const auto count = ByteReader(file, lengthOfHeader, std::endian::little).take<std::uint32_t>();
     if (file.bytes.size() == lengthOfHeader + 4 + triangle * static_cast<std::size_t>(count))
     {
         return true;
@@ -42,7 +42,7 @@ bool isBinary(const ImportedFile& file)
 
 Solids readBinary(const ImportedFile& file)
 {
-    ByteReader bytes(file, lengthOfHeader, false);
+    ByteReader bytes(file, lengthOfHeader, std::endian::little);
     const auto count = bytes.take<std::uint32_t>();
     if (bytes.remaining() < triangle * static_cast<std::size_t>(count))
     {

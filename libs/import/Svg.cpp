@@ -2,17 +2,16 @@
 /// Scalable vector graphics; pugixml reads the XML.
 #include "import/Drawing.h"
 #include "import/SvgAppearance.h"
-#include "import/SvgScanner.h"
+#include "import/SvgOutlines.h"
+#include "import/SvgTransform.h"
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 
 namespace drystone
@@ -20,17 +19,6 @@ namespace drystone
 
 namespace
 {
-
-struct SvgTransform
-{
-    Eigen::Matrix2d matrix = Eigen::Matrix2d::Identity();
-    Vector<2> shift = Vector<2>::Zero();
-};
-
-SvgTransform operator*(const SvgTransform& outer, const SvgTransform& inner)
-{
-    return {outer.matrix * inner.matrix, outer.matrix * inner.shift + outer.shift};
-}
 
 class SvgReader
 {
@@ -159,153 +147,106 @@ private:
                 node.attribute("style").value()};
     }
 
+    /// What a group says of the elements within, and which of them is next.
+    struct Level
+    {
+        pugi::xml_node next;
+        SvgTransform transform;
+        std::string layer; ///< name of the outermost group that has one
+        SvgAppearance appearance;
+    };
+
     /// Without recursion: a hostile file may nest deeper than the stack is.
     void readChildren(const pugi::xml_node& root, const SvgTransform& upwards)
     {
-        struct Level
-        {
-            pugi::xml_node next;
-            SvgTransform transform;
-            std::string layer;
-            SvgAppearance appearance;
-        };
         std::vector<Level> levels{{root.first_child(), upwards, "", SvgAppearance().of(visibilityOf(root))}};
-        constexpr std::size_t deepest = 200;
         while (!levels.empty())
         {
-            Level& level = levels.back();
-            const pugi::xml_node node = level.next;
+            const pugi::xml_node node = levels.back().next;
             if (!node)
             {
                 levels.pop_back();
                 continue;
             }
-            level.next = node.next_sibling();
-            if (node.type() != pugi::node_element)
+            levels.back().next = node.next_sibling();
+            if (node.type() == pugi::node_element)
             {
-                continue;
-            }
-            const std::string_view name = node.name();
-            const int line = lineAt(node.offset_debug());
-            const bool isGroup = name == "g" || name == "a" || name == "switch";
-            const bool isShape = name == "path" || name == "polygon" || name == "polyline" || name == "rect";
-            if (!isGroup && !isShape)
-            {
-                const std::string_view sheet = name == "style" ? node.text().get() : "";
-                const auto says = [&](std::string_view property)
-                { return sheet.find(property) != sheet.npos; };
-                if (says("display") || says("visibility"))
-                {
-                    ++others["style, whose `display` and `visibility` are not read"];
-                }
-                if (says("transform"))
-                {
-                    ++others["style, whose `transform` is not read"];
-                }
-                constexpr std::size_t mostNames = 100;
-                static constexpr std::array<std::string_view, 6> silent{
-                    "title", "desc", "defs", "metadata", "style", "sodipodi:namedview"};
-                if (std::find(silent.begin(), silent.end(), name) == silent.end())
-                {
-                    const std::string known = shown(name);
-                    ++others[others.size() < mostNames || others.contains(known) ? known : "of other names"];
-                }
-                continue;
-            }
-            const SvgAppearance appearance = level.appearance.of(visibilityOf(node));
-            if (isShape && !appearance.isSeen())
-            {
-                ++hidden;
-                continue;
-            }
-            const std::string_view moved = styleProperty(node.attribute("style").value(), "transform");
-            if (appearance.isDisplayed && !moved.empty() && moved != "none")
-            {
-                refuse(file, line,
-                       "The style of this element has a transform, which is not read here: write it as an "
-                       "attribute, `transform=\"...\"`, without units.");
-            }
-            const SvgTransform transform = level.transform * transformOf(node, line);
-            if (isGroup)
-            {
-                if (levels.size() >= deepest)
-                {
-                    refuse(file, line, fmt::format("Groups are nested deeper than {} levels.", deepest));
-                }
-                std::string layer = level.layer;
-                if (layer.empty())
-                {
-                    layer = node.attribute("inkscape:label") ? node.attribute("inkscape:label").value()
-                                                             : node.attribute("id").value();
-                }
-                levels.push_back({node.first_child(), transform, std::move(layer), appearance});
-            }
-            else
-            {
-                readShape(node, transform, level.layer, line);
+                readElement(node, levels);
             }
         }
     }
 
-    SvgTransform transformOf(const pugi::xml_node& node, int line) const
+    /// \param levels of the groups around the element; a group is added to them
+    void readElement(const pugi::xml_node& node, std::vector<Level>& levels)
     {
-        SvgTransform whole;
-        SvgScanner scanner(file, line, node.attribute("transform").value());
-        while (!scanner.isEnd())
+        const Level& around = levels.back();
+        const std::string_view name = node.name();
+        const int line = lineAt(node.offset_debug());
+        const bool isGroup = name == "g" || name == "a" || name == "switch";
+        const bool isShape = name == "path" || name == "polygon" || name == "polyline" || name == "rect";
+        if (!isGroup && !isShape)
         {
-            const std::string_view name = scanner.word();
-            if (scanner.letter() != '(')
-            {
-                scanner.fail(fmt::format("The transform `{}` has no `(`.", shown(name)));
-            }
-            std::vector<double> values;
-            while (scanner.isNumber() && values.size() < 6)
-            {
-                values.push_back(scanner.number());
-            }
-            if (scanner.letter() != ')')
-            {
-                scanner.fail(fmt::format("The transform `{}` has no `)` after its numbers.", shown(name)));
-            }
-            const auto has = [&](std::string_view wanted, std::initializer_list<std::size_t> counts) {
-                return name == wanted
-                       && std::find(counts.begin(), counts.end(), values.size()) != counts.end();
-            };
-            SvgTransform one;
-            if (has("matrix", {6}))
-            {
-                one.matrix << values[0], values[2], values[1], values[3];
-                one.shift = {values[4], values[5]};
-            }
-            else if (has("translate", {1, 2}))
-            {
-                one.shift = {values[0], values.size() > 1 ? values[1] : 0};
-            }
-            else if (has("scale", {1, 2}))
-            {
-                one.matrix = Vector<2>(values[0], values.back()).asDiagonal();
-            }
-            else if (has("rotate", {1, 3}))
-            {
-                const double angle = values[0] * std::numbers::pi / 180;
-                one.matrix << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
-                const Vector<2> centre =
-                    values.size() > 1 ? Vector<2>(values[1], values[2]) : Vector<2>::Zero();
-                one.shift = centre - one.matrix * centre;
-            }
-            else if (has("skewX", {1}) || has("skewY", {1}))
-            {
-                one.matrix(name == "skewX" ? 0 : 1, name == "skewX" ? 1 : 0) =
-                    std::tan(values[0] * std::numbers::pi / 180);
-            }
-            else
-            {
-                scanner.fail(fmt::format("The transform `{}` with {} numbers is not known.", shown(name),
-                                         values.size()));
-            }
-            whole = whole * one;
+            countOther(node);
+            return;
         }
-        return whole;
+        const SvgAppearance appearance = around.appearance.of(visibilityOf(node));
+        if (isShape && !appearance.isSeen())
+        {
+            ++hidden;
+            return;
+        }
+        const std::string_view moved = styleProperty(node.attribute("style").value(), "transform");
+        if (appearance.isDisplayed && !moved.empty() && moved != "none")
+        {
+            refuse(file, line,
+                   "The style of this element has a transform, which is not read here: write it as an "
+                   "attribute, `transform=\"...\"`, without units.");
+        }
+        const SvgTransform transform =
+            around.transform * svgTransform(SvgScanner(file, line, node.attribute("transform").value()));
+        if (isShape)
+        {
+            readShape(node, transform, around.layer, line);
+            return;
+        }
+        constexpr std::size_t deepest = 200;
+        if (levels.size() >= deepest)
+        {
+            refuse(file, line, fmt::format("Groups are nested deeper than {} levels.", deepest));
+        }
+        std::string layer = around.layer.empty() ? nameOf(node) : around.layer;
+        levels.push_back({node.first_child(), transform, std::move(layer), appearance});
+    }
+
+    /// Of a group: the one that Inkscape shows, or else its identifier; empty where it has none.
+    static std::string nameOf(const pugi::xml_node& group)
+    {
+        return group.attribute("inkscape:label") ? group.attribute("inkscape:label").value()
+                                                 : group.attribute("id").value();
+    }
+
+    /// An element that is no outline, for the report of what was ignored.
+    void countOther(const pugi::xml_node& node)
+    {
+        const std::string_view name = node.name();
+        const std::string_view sheet = name == "style" ? node.text().get() : "";
+        const auto says = [&](std::string_view property) { return sheet.find(property) != sheet.npos; };
+        if (says("display") || says("visibility"))
+        {
+            ++others["style, whose `display` and `visibility` are not read"];
+        }
+        if (says("transform"))
+        {
+            ++others["style, whose `transform` is not read"];
+        }
+        constexpr std::size_t mostNames = 100;
+        static constexpr std::array<std::string_view, 6> silent{"title",    "desc",  "defs",
+                                                                "metadata", "style", "sodipodi:namedview"};
+        if (std::find(silent.begin(), silent.end(), name) == silent.end())
+        {
+            const std::string known = shown(name);
+            ++others[others.size() < mostNames || others.contains(known) ? known : "of other names"];
+        }
     }
 
     /// A radius of the corners of a rectangle, in whatever unit; nothing where there is none.
@@ -323,149 +264,74 @@ private:
                    int line)
     {
         const std::string_view name = node.name();
+        SvgOutlines outlines;
         if (name == "rect")
         {
-            const auto value = [&](const char* key)
-            {
-                const std::string_view text = trimmed(node.attribute(key).value());
-                if (text.empty())
-                {
-                    return 0.;
-                }
-                if (const std::optional<double> length = lengthOf(text, line, PixelIs::noLength))
-                {
-                    return *length / pixel;
-                }
-                const std::string_view number =
-                    trimmed(text.substr(0, text.size() - (text.ends_with("px") ? 2 : 0)));
-                digits.add(number);
-                return numberOf(file, line, number);
-            };
-            const double x = value("x");
-            const double y = value("y");
-            const double width = value("width");
-            const double height = value("height");
-            if (width < 0 || height < 0)
-            {
-                refuse(file, line, "The width and height of a rectangle are not negative.");
-            }
-            // One of the radii alone counts for both.
-            const double rx = radiusOf(node, "rx").value_or(radiusOf(node, "ry").value_or(0));
-            const double ry = radiusOf(node, "ry").value_or(rx);
-            if (rx > 0 && ry > 0)
-            {
-                refuse(file, line,
-                       "The rectangle has round corners, rx and ry: blocks have straight edges. Set rx and "
-                       "ry to 0, or convert it to a path of lines in the program that drew it.");
-            }
-            add({{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, transform, layer, line);
+            outlines.closed.push_back(rectangleOf(node, line));
         }
-        else if (name == "polygon" || name == "polyline")
+        else if (name == "path")
         {
-            SvgScanner scanner(file, line, node.attribute("points").value());
-            Polygon corners;
-            while (!scanner.isEnd())
-            {
-                const double x = scanner.number(&digits);
-                corners.emplace_back(x, scanner.number(&digits));
-            }
-            if (name == "polyline" && !endsMeet(corners))
-            {
-                ++others["polyline that is open"];
-                return;
-            }
-            add(std::move(corners), transform, layer, line);
+            outlines = svgPath(SvgScanner(file, line, node.attribute("d").value()), digits);
         }
         else
         {
-            readPath(SvgScanner(file, line, node.attribute("d").value()), transform, layer, line);
+            Polygon corners = svgPoints(SvgScanner(file, line, node.attribute("points").value()), digits);
+            if (name == "polyline" && !endsMeet(corners))
+            {
+                ++outlines.open;
+            }
+            else
+            {
+                outlines.closed.push_back(std::move(corners));
+            }
+        }
+        if (outlines.open > 0)
+        {
+            others[fmt::format("{} that is open", name)] += outlines.open;
+        }
+        for (Polygon& corners : outlines.closed)
+        {
+            add(std::move(corners), transform, layer, line);
         }
     }
 
-    static bool endsMeet(const Polygon& corners)
+    Polygon rectangleOf(const pugi::xml_node& node, int line)
     {
-        return corners.size() > 3 && corners.front() == corners.back();
+        const double x = coordinateOf(node, "x", line);
+        const double y = coordinateOf(node, "y", line);
+        const double width = coordinateOf(node, "width", line);
+        const double height = coordinateOf(node, "height", line);
+        if (width < 0 || height < 0)
+        {
+            refuse(file, line, "The width and height of a rectangle are not negative.");
+        }
+        // One of the radii alone counts for both.
+        const double rx = radiusOf(node, "rx").value_or(radiusOf(node, "ry").value_or(0));
+        const double ry = radiusOf(node, "ry").value_or(rx);
+        if (rx > 0 && ry > 0)
+        {
+            refuse(file, line,
+                   "The rectangle has round corners, rx and ry: blocks have straight edges. Set rx and "
+                   "ry to 0, or convert it to a path of lines in the program that drew it.");
+        }
+        return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
     }
 
-    void readPath(SvgScanner scanner, const SvgTransform& transform, const std::string& layer, int line)
+    /// An attribute of a rectangle in units of the file; 0 where it has none.
+    double coordinateOf(const pugi::xml_node& node, const char* key, int line)
     {
-        Polygon corners;
-        Vector<2> place = Vector<2>::Zero();
-        Vector<2> start = Vector<2>::Zero();
-        char command = '\0';
-        const auto close = [&](bool isClosed)
+        const std::string_view text = trimmed(node.attribute(key).value());
+        if (text.empty())
         {
-            if (corners.size() > 1 && !isClosed && !endsMeet(corners))
-            {
-                ++others["path that is open"];
-            }
-            else if (corners.size() > 1)
-            {
-                add(corners, transform, layer, line);
-            }
-            corners.clear();
-        };
-        const auto lineTo = [&](const Vector<2>& to)
-        {
-            if (corners.empty())
-            {
-                corners.push_back(place); // goes on where the last outline was closed
-            }
-            place = to;
-            corners.push_back(to);
-        };
-        while (!scanner.isEnd())
-        {
-            if (!scanner.isNumber())
-            {
-                command = scanner.letter();
-            }
-            else if (command == '\0')
-            {
-                scanner.fail("A path begins with a command, as `M`.");
-            }
-            const bool isRelative = command >= 'a' && command <= 'z';
-            const Vector<2> origin = isRelative ? place : Vector<2>::Zero();
-            switch (isRelative ? static_cast<char>(command - 'a' + 'A') : command)
-            {
-            case 'M':
-            {
-                close(false);
-                const double x = scanner.number(&digits);
-                place = origin + Vector<2>(x, scanner.number(&digits));
-                start = place;
-                corners.push_back(place);
-                command = isRelative ? 'l' : 'L'; // what further numbers are
-                break;
-            }
-            case 'L':
-            {
-                const double x = scanner.number(&digits);
-                lineTo(origin + Vector<2>(x, scanner.number(&digits)));
-                break;
-            }
-            case 'H':
-                lineTo({origin.x() + scanner.number(&digits), place.y()});
-                break;
-            case 'V':
-                lineTo({place.x(), origin.y() + scanner.number(&digits)});
-                break;
-            case 'Z':
-                close(true);
-                place = start;
-                if (scanner.isNumber())
-                {
-                    scanner.fail("Numbers follow the `Z` of a path.");
-                }
-                break;
-            default:
-                scanner.fail(fmt::format(
-                    "The path has the command `{}`: blocks have straight edges, paths of M, L, H, "
-                    "V and Z. Convert its curves to lines in the program that drew them.",
-                    shown(std::string_view(&command, 1))));
-            }
+            return 0;
         }
-        close(false);
+        if (const std::optional<double> length = lengthOf(text, line, PixelIs::noLength))
+        {
+            return *length / pixel;
+        }
+        const std::string_view number = trimmed(text.substr(0, text.size() - (text.ends_with("px") ? 2 : 0)));
+        digits.add(number);
+        return numberOf(file, line, number);
     }
 
     void add(Polygon corners, const SvgTransform& transform, const std::string& layer, int line)

@@ -2,11 +2,10 @@
 /// A structure and its motion as a picture for papers and web pages, where ParaView is not at hand.
 #pragma once
 
-#include "contact/ContactPoint.h"
+#include "io/JointForces.h"
 #include "io/JointMarks.h"
 #include "io/PictureFile.h"
 
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -22,31 +21,6 @@ Vector<3> usualView();
 /// The direction towards the viewer of a text: `front`, `back`, `left`, `right`, `top`, or a vector such as
 /// `(1 -1.4 0.8)`; of unit length. \throws FatalError for any other text, and for (0 0 0)
 Vector<3> viewFrom(const std::string& text);
-
-/// The resultant contact force of one joint.
-template<int Dim>
-struct JointForce
-{
-    Vector<Dim> centre = Vector<Dim>::Zero(); ///< centre of pressure [m]
-    Vector<Dim> force = Vector<Dim>::Zero();  ///< on the first block of the joint [N]
-    int block = -1;                           ///< the first
-    int neighbour = -1;                       ///< the other
-};
-
-/// Whether a joint has a centre of pressure: where it bends or shears without a normal force, what rounding
-/// leaves of this is no lever. \param normalForce of the joint [N] \param size of the forces at its points,
-/// added up [N]
-inline bool hasCentreOfPressure(double normalForce, double size)
-{
-    return std::abs(normalForce) > 1e-8 * size;
-}
-
-/// Resultant and centre of pressure of each joint that carries a load.
-/// \param points points of one joint follow each other
-/// \param forces (normal, tangent) of each point, in space (normal, tangent1, tangent2) [N]
-template<int Dim>
-std::vector<JointForce<Dim>> jointForces(const std::vector<ContactPoint<Dim>>& points,
-                                         const std::vector<Vector<Dim>>& forces);
 
 /// A load as an arrow in the notes below a picture.
 struct LoadArrow

@@ -226,6 +226,59 @@ void writeState(const fs::path& caseDirectory, const std::string& timeName, cons
     }
 }
 
+namespace
+{
+
+/// The grammar's keywords may hold brackets, which would not read back as they are written.
+void requireName(const Entry& entry)
+{
+    const bool isName = std::all_of(
+        entry.keyword().begin(), entry.keyword().end(),
+        [](char letter) { return std::isalnum(static_cast<unsigned char>(letter)) || letter == '_'; });
+    if (!isName)
+    {
+        throw FatalIOError(
+            fmt::format("{} is no name of an entry of a state: the file is damaged.", entry.keyword()),
+            entry.location());
+    }
+}
+
+std::vector<std::string> textsIn(const Entry& entry, std::ptrdiff_t count)
+{
+    auto listed = entry.as<std::vector<std::string>>();
+    if (static_cast<std::size_t>(count) != listed.size())
+    {
+        throw FatalIOError("A list of texts holds something that is not between quotes.", entry.location());
+    }
+    return listed;
+}
+
+/// A number, a list of numbers or one of texts, as its tokens say.
+void readEntry(const Entry& entry, State& state)
+{
+    requireName(entry);
+    const std::vector<Token>& value = entry.tokens();
+    const bool isList = !value.empty()
+                        && (value.front().kind != TokenKind::number
+                            || (value.size() > 1 && (value[1].is('(') || value[1].is('{'))));
+    const auto texts = std::count_if(value.begin(), value.end(),
+                                     [](const Token& token) { return token.kind == TokenKind::string; });
+    if (!isList)
+    {
+        state.scalars[entry.keyword()] = entry.as<double>();
+    }
+    else if (texts > 0)
+    {
+        state.texts[entry.keyword()] = textsIn(entry, texts);
+    }
+    else
+    {
+        state.arrays[entry.keyword()] = entry.as<std::vector<double>>();
+    }
+}
+
+} // namespace
+
 State readState(const fs::path& file)
 {
     State state;
@@ -236,46 +289,13 @@ State readState(const fs::path& file)
         const Dictionary dictionary = Dictionary::readFile(file, Expansion::none);
         for (const Entry& entry : dictionary.entries())
         {
-            if (entry.keyword() == "FoamFile" || entry.keyword() == checksumKey)
+            if (entry.keyword() == checksumKey)
             {
-                state.isEdited = state.isEdited && entry.keyword() != checksumKey;
-                continue;
+                state.isEdited = false;
             }
-            // The grammar's keywords may hold brackets, which would not read back as they are written.
-            const bool isName =
-                std::all_of(entry.keyword().begin(), entry.keyword().end(),
-                            [](char letter)
-                            { return std::isalnum(static_cast<unsigned char>(letter)) || letter == '_'; });
-            if (!isName)
+            else if (entry.keyword() != "FoamFile")
             {
-                throw FatalIOError(fmt::format("{} is no name of an entry of a state: the file is damaged.",
-                                               entry.keyword()),
-                                   entry.location());
-            }
-            const std::vector<Token>& value = entry.tokens();
-            const bool isList = !value.empty()
-                                && (value.front().kind != TokenKind::number
-                                    || (value.size() > 1 && (value[1].is('(') || value[1].is('{'))));
-            const auto texts =
-                std::count_if(value.begin(), value.end(),
-                              [](const Token& token) { return token.kind == TokenKind::string; });
-            if (!isList)
-            {
-                state.scalars[entry.keyword()] = entry.as<double>();
-            }
-            else if (texts > 0)
-            {
-                std::vector<std::string>& listed = state.texts[entry.keyword()];
-                listed = entry.as<std::vector<std::string>>();
-                if (static_cast<std::size_t>(texts) != listed.size())
-                {
-                    throw FatalIOError("A list of texts holds something that is not between quotes.",
-                                       entry.location());
-                }
-            }
-            else
-            {
-                state.arrays[entry.keyword()] = entry.as<std::vector<double>>();
+                readEntry(entry, state);
             }
         }
         refuseDamage(file); // after all that has a line of its own

@@ -148,60 +148,47 @@ vtkSmartPointer<vtkCellArray> cells(const PolyData<Dim>& data)
     return result;
 }
 
-} // namespace
-
+/// The places of the corners; z = 0 in the plane.
 template<int Dim>
-std::string vtpBytesOfVtk(const PolyData<Dim>& data)
+vtkSmartPointer<vtkPoints> pointsOfVtk(const std::vector<Vector<Dim>>& places)
 {
-    checkPolyData(data);
-
     vtkNew<PlainRange<vtkFloatArray>> coordinates;
     coordinates->SetNumberOfComponents(3);
-    coordinates->SetNumberOfTuples(static_cast<vtkIdType>(data.points.size()));
+    coordinates->SetNumberOfTuples(static_cast<vtkIdType>(places.size()));
     float* out = coordinates->GetPointer(0);
-    for (const Vector<Dim>& point : data.points)
+    for (const Vector<Dim>& place : places)
     {
         for (int i = 0; i < 3; ++i)
         {
-            *out++ = i < Dim ? static_cast<float>(point[i]) : 0.0F;
+            *out++ = i < Dim ? static_cast<float>(place[i]) : 0.0F;
         }
     }
     vtkNew<vtkPoints> points;
     points->SetData(coordinates);
+    return points;
+}
 
-    vtkNew<vtkPolyData> poly;
-    poly->SetPoints(points);
-    vtkDataSetAttributes* fields = nullptr;
-    if (data.kind == CellKind::polygon)
+/// Adds fields to those of cells or points: the first number and the first vector are what ParaView shows
+/// first when it opens the file.
+void addArrays(vtkDataSetAttributes& attributes, const std::vector<Field>& fields)
+{
+    for (const Field& field : fields)
     {
-        poly->SetPolys(cells(data));
-        fields = poly->GetCellData();
-    }
-    else
-    {
-        poly->SetVerts(cells(data));
-        fields = poly->GetPointData();
-    }
-    for (const Field& field : data.fields)
-    {
-        fields->AddArray(field.type == FieldType::integer ? array<vtkIntArray>(field)
-                                                          : array<vtkDoubleArray>(field));
-        // What ParaView shows first when it opens the file.
-        if (field.components == 1 && fields->GetScalars() == nullptr)
+        attributes.AddArray(field.type == FieldType::integer ? array<vtkIntArray>(field)
+                                                             : array<vtkDoubleArray>(field));
+        if (field.components == 1 && attributes.GetScalars() == nullptr)
         {
-            fields->SetActiveScalars(field.name.c_str());
+            attributes.SetActiveScalars(field.name.c_str());
         }
-        if (field.components > 1 && fields->GetVectors() == nullptr)
+        if (field.components > 1 && attributes.GetVectors() == nullptr)
         {
-            fields->SetActiveVectors(field.name.c_str());
+            attributes.SetActiveVectors(field.name.c_str());
         }
     }
+}
 
-    for (const Field& field : data.pointFields)
-    {
-        poly->GetPointData()->AddArray(array<vtkFloatArray>(field));
-    }
-
+std::string writtenByVtk(vtkPolyData* poly)
+{
     vtkNew<vtkXMLPolyDataWriter> writer;
     vtkNew<Deflate> compressor;
     writer->SetInputData(poly);
@@ -214,6 +201,31 @@ std::string vtpBytesOfVtk(const PolyData<Dim>& data)
         throw FatalError("VTK could not generate a .vtp file.");
     }
     return writer->GetOutputString();
+}
+
+} // namespace
+
+template<int Dim>
+std::string vtpBytesOfVtk(const PolyData<Dim>& data)
+{
+    checkPolyData(data);
+    vtkNew<vtkPolyData> poly;
+    poly->SetPoints(pointsOfVtk<Dim>(data.points));
+    if (data.kind == CellKind::polygon)
+    {
+        poly->SetPolys(cells(data));
+        addArrays(*poly->GetCellData(), data.fields);
+    }
+    else
+    {
+        poly->SetVerts(cells(data));
+        addArrays(*poly->GetPointData(), data.fields);
+    }
+    for (const Field& field : data.pointFields)
+    {
+        poly->GetPointData()->AddArray(array<vtkFloatArray>(field));
+    }
+    return writtenByVtk(poly);
 }
 
 template<int Dim>

@@ -24,6 +24,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <unistd.h>
 
 namespace drystone
@@ -52,6 +53,39 @@ bool sameTime(double a, double b)
     return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b));
 }
 
+[[noreturn]] void refuseList(const std::filesystem::path& listFile, const std::string& what, int line)
+{
+    throw FatalIOError("This is not a list of frames and their times: " + what
+                           + ".\n\nTo start a new series, remove the file.",
+                       {listFile.string(), "", line});
+}
+
+JsonValue jsonOf(const std::filesystem::path& listFile, const std::string& text)
+{
+    try
+    {
+        return parseJson(text);
+    }
+    catch (const JsonFault& fault)
+    {
+        refuseList(listFile, fault.what(), fault.line);
+    }
+}
+
+/// An entry of the list; nothing where it has no time, or no name of a file in the folder.
+std::optional<SeriesFrame> frameOf(const JsonValue& entry)
+{
+    const JsonValue* name = entry.find("name");
+    const JsonValue* time = entry.find("time");
+    const bool isNamed = name != nullptr && name->asText() != nullptr;
+    const bool isTimed = isNamed && time != nullptr && time->asNumber() != nullptr;
+    if (!isTimed || name->asText()->find('/') != std::string::npos)
+    {
+        return std::nullopt;
+    }
+    return SeriesFrame{*name->asText(), *time->asNumber()};
+}
+
 } // namespace
 
 Series readSeries(const std::filesystem::path& folder, const std::string& name)
@@ -70,22 +104,7 @@ Series readSeries(const std::filesystem::path& folder, const std::string& name)
     {
         return listed;
     }
-    const std::string text{std::istreambuf_iterator<char>(list), {}};
-    const auto fail = [&](const std::string& what, int line)
-    {
-        throw FatalIOError("This is not a list of frames and their times: " + what
-                               + ".\n\nTo start a new series, remove the file.",
-                           {listFile.string(), "", line});
-    };
-    JsonValue series;
-    try
-    {
-        series = parseJson(text);
-    }
-    catch (const JsonFault& fault)
-    {
-        fail(fault.what(), fault.line);
-    }
+    const JsonValue series = jsonOf(listFile, {std::istreambuf_iterator<char>(list), {}});
     const JsonValue* application = series.find("application");
     if (application != nullptr && application->asText() != nullptr)
     {
@@ -94,27 +113,24 @@ Series readSeries(const std::filesystem::path& folder, const std::string& name)
     const JsonValue* files = series.find("files");
     if (files == nullptr || files->asList() == nullptr)
     {
-        fail("it has no array \"files\"", 0);
+        refuseList(listFile, "it has no array \"files\"", 0);
     }
-    for (const JsonValue& frame : *files->asList())
+    for (const JsonValue& entry : *files->asList())
     {
-        const JsonValue* frameName = frame.find("name");
-        const JsonValue* frameTime = frame.find("time");
-        const bool isNamed = frameName != nullptr && frameName->asText() != nullptr;
-        const bool isTimed = isNamed && frameTime != nullptr && frameTime->asNumber() != nullptr;
-        if (!isTimed || frameName->asText()->find('/') != std::string::npos)
+        const std::optional<SeriesFrame> known = frameOf(entry);
+        if (!known)
         {
-            fail(
+            refuseList(
+                listFile,
                 fmt::format("entry {} of \"files\" has no \"name\" of a file beside the list with a \"time\"",
-                            &frame - &files->asList()->front()),
+                            &entry - &files->asList()->front()),
                 0);
         }
-        const SeriesFrame known{*frameName->asText(), *frameTime->asNumber()};
         // A frame that was removed to save space is skipped, and so is a name that no file can have.
         std::error_code unknown;
-        if (std::filesystem::exists(folder / known.file, unknown))
+        if (std::filesystem::exists(folder / known->file, unknown))
         {
-            listed.frames.push_back(known);
+            listed.frames.push_back(*known);
         }
     }
     std::stable_sort(listed.frames.begin(), listed.frames.end(),

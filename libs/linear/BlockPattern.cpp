@@ -60,15 +60,18 @@ double FactorPattern::operations(int rows) const
     return rows * rows * rows * count;
 }
 
-FactorPattern makeFactorPattern(const BlockPattern& matrix)
+namespace
+{
+
+/// The pattern of the factor: column j of L has the rows of S joined with those of j's children in the
+/// elimination tree, less the children themselves; j's parent is the first row below its diagonal.
+BlockPattern factorOf(const BlockPattern& matrix)
 {
     const int columns = matrix.columns();
-    FactorPattern pattern;
-    std::vector<int>& start = pattern.factor.columnStart;
-    std::vector<int>& row = pattern.factor.row;
+    BlockPattern factor;
+    std::vector<int>& start = factor.columnStart;
+    std::vector<int>& row = factor.row;
     start.assign(columns + 1, 0);
-    // The pattern of column j of L is that of S joined with those of j's children in the elimination tree,
-    // less the children themselves; j's parent is the first row below its diagonal.
     std::vector<std::vector<int>> children(columns);
     std::vector<int> mark(columns, -1);
     for (int column = 0; column < columns; ++column)
@@ -102,7 +105,15 @@ FactorPattern makeFactorPattern(const BlockPattern& matrix)
             children[row[begin + 1]].push_back(column);
         }
     }
+    return factor;
+}
 
+/// Fills in the updates of each column: the entries of its row of the factor, left of the diagonal.
+void findUpdates(FactorPattern& pattern)
+{
+    const int columns = pattern.factor.columns();
+    const std::vector<int>& start = pattern.factor.columnStart;
+    const std::vector<int>& row = pattern.factor.row;
     std::vector<int>& updateStart = pattern.updateStart;
     updateStart.assign(columns + 1, 0);
     for (int column = 0; column < columns; ++column)
@@ -125,6 +136,15 @@ FactorPattern makeFactorPattern(const BlockPattern& matrix)
             pattern.columnOf[update] = column;
         }
     }
+}
+
+} // namespace
+
+FactorPattern makeFactorPattern(const BlockPattern& matrix)
+{
+    FactorPattern pattern;
+    pattern.factor = factorOf(matrix);
+    findUpdates(pattern);
     return pattern;
 }
 

@@ -121,14 +121,19 @@ void Time::resume(const TimeState& saved)
         settings.adjustTimeStep ? saved.given > 0 && saved.given != settings.deltaT : step != settings.deltaT;
     if (isGivenAnew)
     {
-        origin = now;
-        originIndex = count;
-        step = settings.deltaT;
+        countStepsFromHere(settings.deltaT);
         wanted = 0;
-        detourEnd = now;
     }
     lastStep = 0;
     startOutput();
+}
+
+void Time::countStepsFromHere(double length)
+{
+    origin = now;
+    originIndex = count;
+    step = length;
+    detourEnd = now;
 }
 
 bool Time::reread()
@@ -157,29 +162,7 @@ bool Time::reread()
                             fmt::join(later, ", "), later.size() == 1 ? "stays" : "stay"),
                 read.locationOf(later.front()));
         }
-        const bool isAdjustedNoMore = settings.adjustTimeStep && !controls.adjustTimeStep;
-        const bool otherStep = controls.deltaT != settings.deltaT || isAdjustedNoMore;
-        const bool otherOutput = controls.output.writeControl != settings.output.writeControl
-                                 || controls.output.writeInterval != settings.output.writeInterval;
-        const bool otherPrecision = controls.timePrecision != settings.timePrecision;
-        dictionary = std::move(read);
-        settings = std::move(controls);
-        if (otherPrecision)
-        {
-            namePrecision = settings.timePrecision;
-        }
-        if (otherStep)
-        {
-            origin = now;
-            originIndex = count;
-            step = settings.deltaT;
-            wanted = 0;
-            detourEnd = now;
-        }
-        if (otherOutput)
-        {
-            startOutput();
-        }
+        use(std::move(read), std::move(controls));
         return true;
     }
     catch (const FatalIOError& error)
@@ -191,6 +174,31 @@ bool Time::reread()
             error.location());
     }
     return false;
+}
+
+/// What controlDict says now, which may have changed the steps to come, the output and the names of times.
+void Time::use(Dictionary read, TimeControls controls)
+{
+    const bool isAdjustedNoMore = settings.adjustTimeStep && !controls.adjustTimeStep;
+    const bool otherStep = controls.deltaT != settings.deltaT || isAdjustedNoMore;
+    const bool otherOutput = controls.output.writeControl != settings.output.writeControl
+                             || controls.output.writeInterval != settings.output.writeInterval;
+    const bool otherPrecision = controls.timePrecision != settings.timePrecision;
+    dictionary = std::move(read);
+    settings = std::move(controls);
+    if (otherPrecision)
+    {
+        namePrecision = settings.timePrecision;
+    }
+    if (otherStep)
+    {
+        countStepsFromHere(settings.deltaT);
+        wanted = 0;
+    }
+    if (otherOutput)
+    {
+        startOutput();
+    }
 }
 
 bool Time::loop()
@@ -324,10 +332,7 @@ void Time::setDeltaT(double length, double changeAt)
     {
         return;
     }
-    origin = now;
-    originIndex = count;
-    step = fitting;
-    detourEnd = now;
+    countStepsFromHere(fitting);
 }
 
 void Time::stopAlsoAt(std::function<double(double, double)> timeToNext)

@@ -130,7 +130,10 @@ public:
 private:
     void findStart(const std::vector<TimeDirectory>& times);
     bool reread();
+    void use(Dictionary read, TimeControls controls);
     void startOutput();
+    /// Lets the times of steps be counted from the present one. \param length of the steps to come [s]
+    void countStepsFromHere(double length);
     /// Of the step that led to the present time, in this run or the one that it continues [s].
     double lengthToHere() const { return lastStep > 0 ? lastStep : stepToStart; }
     /// See TimePoint: with the current step, where it is such a one.

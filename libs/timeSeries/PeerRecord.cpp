@@ -67,47 +67,60 @@ std::optional<double> numberAfter(std::string_view line, std::string_view keywor
     return numberOf(token);
 }
 
-PeerHeader peerHeader(const RecordText& text)
+/// What a header says, as far as it does.
+struct FoundHeader
 {
-    PeerHeader header;
     std::optional<double> count;
     std::optional<double> timeStep;
-    for (std::size_t i = 0; i < text.lines.size() && i < 60 && !(count && timeStep); ++i)
+    std::size_t line = 0; ///< the last one
+};
+
+/// Looks through the first lines. DT stands beside NPTS or in the next line.
+FoundHeader findHeader(const RecordText& text)
+{
+    FoundHeader found;
+    for (std::size_t i = 0; i < text.lines.size() && i < 60 && !(found.count && found.timeStep); ++i)
     {
         const std::string line = upper(text.lines[i]);
-        if (count && i > header.line + 1)
-        { // DT stands beside NPTS or in the next line
+        if (found.count && i > found.line + 1)
+        {
             break;
         }
-        if (!count && line.find("NPTS") == std::string::npos)
+        if (!found.count && line.find("NPTS") == std::string::npos)
         {
             continue;
         }
-        const bool countBefore = count.has_value();
-        if (!count)
+        const bool countBefore = found.count.has_value();
+        if (!found.count)
         {
-            count = numberAfter(line, "NPTS");
+            found.count = numberAfter(line, "NPTS");
         }
-        timeStep = numberAfter(line, "DT");
-        if (!count && !timeStep) // the oldest form: `4000    0.0100    NPTS, DT`
+        found.timeStep = numberAfter(line, "DT");
+        if (!found.count && !found.timeStep) // the oldest form: `4000    0.0100    NPTS, DT`
         {
             const auto tokens = wordsBetween(line, " \t\r,");
             if (tokens.size() >= 4 && tokens[2] == "NPTS" && tokens[3] == "DT")
             {
-                count = numberOf(tokens[0]);
-                timeStep = numberOf(tokens[1]);
+                found.count = numberOf(tokens[0]);
+                found.timeStep = numberOf(tokens[1]);
             }
         }
-        if (!countBefore || timeStep)
+        if (!countBefore || found.timeStep)
         {
-            header.line = i;
+            found.line = i;
         }
-        if (!count)
+        if (!found.count)
         {
             text.refuse(i, "The number of values does not follow NPTS.",
                         "It should read as in NPTS= 4000, DT= .01 SEC.");
         }
     }
+    return found;
+}
+
+PeerHeader peerHeader(const RecordText& text)
+{
+    const auto [count, timeStep, line] = findHeader(text);
     if (!count)
     {
         text.refuse(0, "No line gives NPTS, so this is not a record in the PEER AT2 format.",
@@ -115,21 +128,23 @@ PeerHeader peerHeader(const RecordText& text)
     }
     if (!timeStep)
     {
-        text.refuse(header.line, "The time step does not follow DT.",
+        text.refuse(line, "The time step does not follow DT.",
                     "It should read as in NPTS= 4000, DT= .01 SEC.");
     }
     if (!(*count >= 1 && *count <= 1e9 && *count == std::floor(*count)))
     {
-        text.refuse(header.line, fmt::format("NPTS is {}, not a number of values.", *count), "Correct it.");
+        text.refuse(line, fmt::format("NPTS is {}, not a number of values.", *count), "Correct it.");
     }
     if (!(*timeStep > 0 && std::isfinite(*count * *timeStep)))
     {
-        text.refuse(header.line,
+        text.refuse(line,
                     fmt::format("DT is {} s; a time step is positive, and the record finite.", *timeStep),
                     "Correct it.");
     }
+    PeerHeader header;
     header.count = *count;
     header.timeStep = *timeStep;
+    header.line = line;
     return header;
 }
 

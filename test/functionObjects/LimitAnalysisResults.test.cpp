@@ -109,11 +109,11 @@ TEST(LimitAnalysisLog, QuestionsALowestCollapseFarBelowTheAssociativeMultiplier)
 
 TEST(CollapseProgressLog, NamesTheKeyOnceWhenASearchIsLong)
 {
-    for (const bool isLimited : {false, true})
+    for (const SearchTime time : {SearchTime::endless, SearchTime::limited})
     {
         double now = 100;
         testing::internal::CaptureStdout();
-        const auto log = collapseProgressLog(isLimited, [&now] { return now; });
+        const auto log = collapseProgressLog(time, [&now] { return now; });
         std::string said;
         for (int second = 0; second < 120; ++second, ++now)
         {
@@ -130,8 +130,9 @@ TEST(CollapseProgressLog, NamesTheKeyOnceWhenASearchIsLong)
         flushLog();
         said = testing::internal::GetCapturedStdout();
         const std::size_t first = said.find("maximumTime");
-        EXPECT_EQ(first != std::string::npos, !isLimited) << said;
-        EXPECT_EQ(said.find("maximumTime", isLimited ? 0 : first + 1), std::string::npos) << said;
+        EXPECT_EQ(first != std::string::npos, time == SearchTime::endless) << said;
+        EXPECT_EQ(said.find("maximumTime", time == SearchTime::limited ? 0 : first + 1), std::string::npos)
+            << said;
     }
 }
 

@@ -1,7 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "functionObjects/LimitAnalysisTables.h"
 
-#include "io/MechanismPicture.h"
+#include "io/JointForces.h"
 
 #include <gtest/gtest.h>
 

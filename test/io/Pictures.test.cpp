@@ -28,7 +28,6 @@ namespace drystone
 namespace
 {
 
-using test::contact;
 using test::content;
 using test::ScratchFolder;
 using testing::ElementsAre;
@@ -348,19 +347,6 @@ TEST(MechanismPicture, IsWrittenWholeOrRefused)
     EXPECT_FALSE(std::filesystem::exists(folder / "bad.svg"));
     placements.pop_back();
     EXPECT_THROW(mechanismSvg(wall, placements, {}), FatalError);
-}
-
-TEST(JointForces, AddUpAtTheCentreOfPressure)
-{
-    std::vector<ContactPoint<2>> points(4);
-    points[0] = contact(0, 1, 0, {0, 1}, {0, 1});
-    points[1] = contact(0, 1, 0, {4, 1}, {0, 1});
-    points[2] = contact(1, 2, 1, {0, 2}, {0, 1}); // carries nothing
-    points[3] = contact(1, 2, 1, {4, 2}, {0, 1});
-    const auto joints = jointForces(points, {{1, 0.25}, {3, 0.25}, {0, 0}, {0, 0}});
-    ASSERT_EQ(joints.size(), 1u);
-    EXPECT_EQ(joints[0].centre, Vector<2>(3, 1));
-    EXPECT_EQ(joints[0].force, Vector<2>(0.5, 4));
 }
 
 TEST(Plot, TicksOfALinearAxisAreRoundNumbers)

@@ -61,8 +61,8 @@ int runIn(const CommandLine& commandLine)
     if (!commandLine.dryRun && !commandLine.postProcess)
     {
         flushLog();
-        structure.nonAssociative.observe =
-            collapseProgressLog(structure.nonAssociative.maximumTime.has_value());
+        structure.nonAssociative.observe = collapseProgressLog(
+            structure.nonAssociative.maximumTime ? SearchTime::limited : SearchTime::endless);
         const double start = cpuTime();
         const std::vector<LimitAnalysis> results = solveLimitAnalyses(structure);
         const double used = cpuTime() - start;

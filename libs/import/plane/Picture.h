@@ -3,33 +3,13 @@
 #pragma once
 
 #include "import/ImportedFile.h"
+#include "import/plane/Raster.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace drystone
 {
-
-/// Values of pixels, row by row from the top left corner.
-template<class Value>
-struct Raster
-{
-    int width = 0;
-    int height = 0;
-    std::vector<Value> pixels;
-
-    Value& at(int x, int y)
-    {
-        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)
-                      + static_cast<std::size_t>(x)];
-    }
-    const Value& at(int x, int y) const
-    {
-        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)
-                      + static_cast<std::size_t>(x)];
-    }
-    bool has(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
-};
 
 /// The brightness of a PNG, 0 black to 255 white; transparent parts are white. \throws FatalIOError when it
 /// is none, or has more than 50 million pixels

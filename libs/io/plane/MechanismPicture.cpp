@@ -10,9 +10,9 @@
 #include "io/MarkLegend.h"
 #include "io/PicturePage.h"
 #include "io/plane/BuiltOutline.h"
-#include "io/plane/ThrustLine.h"
+#include "io/plane/PlaneView.h"
+#include "io/plane/ThrustPainter.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,29 +23,6 @@ namespace drystone
 
 namespace
 {
-
-using Area = Eigen::AlignedBox2d;
-
-/// From metres, y upwards, to pixels, y downwards.
-struct PlaneView
-{
-    Area world;       ///< [m]
-    Vector<2> corner; ///< of the drawing area, upper left [px]
-    double scale = 1; ///< [px/m]
-
-    Vector<2> operator()(const Vector<2>& point) const
-    {
-        return corner + scale * Vector<2>(point.x() - world.min().x(), world.max().y() - point.y());
-    }
-    Polygon operator()(Polygon outline) const
-    {
-        for (Vector<2>& vertex : outline)
-        {
-            vertex = (*this)(vertex);
-        }
-        return outline;
-    }
-};
 
 /// The displacement of each block, as the mean over its corners [m].
 std::vector<double> meanDisplacements(const Assembly<2>& assembly,
@@ -67,14 +44,15 @@ std::vector<double> meanDisplacements(const Assembly<2>& assembly,
 }
 
 /// The area to be shown [m]. Ground may extend far down and to the sides: it does not enlarge the picture.
-Area shownArea(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements, double blockSize)
+Eigen::AlignedBox2d shownArea(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+                              double blockSize)
 {
-    Area free;
-    Area fixed;
+    Eigen::AlignedBox2d free;
+    Eigen::AlignedBox2d fixed;
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
         const Block<2>& block = assembly.blocks[i];
-        Area& box = isGround(assembly, block) ? fixed : free;
+        Eigen::AlignedBox2d& box = isGround(assembly, block) ? fixed : free;
         for (const Vector<2>& vertex : block.outline)
         {
             box.extend(vertex);
@@ -90,13 +68,14 @@ Area shownArea(const Assembly<2>& assembly, const std::vector<Placement<2>>& pla
     }
     if (free.isEmpty())
     {
-        free = Area(Vector<2>::Zero(), Vector<2>::Ones());
+        free = Eigen::AlignedBox2d(Vector<2>::Zero(), Vector<2>::Ones());
     }
-    Area area(free.min() - Vector<2>::Constant(0.6 * blockSize),
-              free.max() + Vector<2>::Constant(0.6 * blockSize));
+    Eigen::AlignedBox2d area(free.min() - Vector<2>::Constant(0.6 * blockSize),
+                             free.max() + Vector<2>::Constant(0.6 * blockSize));
     if (!(area.sizes().minCoeff() > 0))
     {
-        area = Area(area.min() - Vector<2>::Constant(0.5), area.max() + Vector<2>::Constant(0.5));
+        area =
+            Eigen::AlignedBox2d(area.min() - Vector<2>::Constant(0.5), area.max() + Vector<2>::Constant(0.5));
     }
     return area;
 }
@@ -231,101 +210,6 @@ void paintMarks(Canvas& drawing, const Assembly<2>& assembly, const std::vector<
     }
 }
 
-constexpr std::string_view thrustColour = "#1b4f8f";
-
-double thrustWidth(double share)
-{
-    return 0.8 + 3.2 * std::sqrt(share);
-}
-
-/// Force with three digits, for a legend.
-std::string forceLabel(double force)
-{
-    return force >= 1e3 ? fmt::format("{:.3g} kN", force / 1e3) : fmt::format("{:.3g} N", force);
-}
-
-/// An arrow of the force of a support on the structure, its tip at the centre of pressure.
-void paintReaction(Canvas& drawing, const Vector<2>& tip, const Vector<2>& direction, double length,
-                   double width)
-{
-    const ShapeStyle style{.stroke = std::string(thrustColour), .strokeWidth = width};
-    const Vector<2> across(-direction.y(), direction.x());
-    const double head = 4 + 1.5 * width;
-    drawing.line(tip - length * direction, tip - 0.6 * head * direction, style);
-    drawing.polygon(
-        {tip, tip - head * direction + 0.4 * head * across, tip - head * direction - 0.4 * head * across},
-        {.fill = std::string(thrustColour)});
-}
-
-/// \return the largest force [N]
-double paintThrust(Canvas& drawing, const Assembly<2>& assembly, const std::vector<JointForce<2>>& thrust,
-                   const PlaneView& view, double blockSize)
-{
-    double largest = 0;
-    for (const JointForce<2>& joint : thrust)
-    {
-        largest = std::max(largest, joint.force.norm());
-    }
-    std::vector<bool> free;
-    for (const Block<2>& block : assembly.blocks)
-    {
-        free.push_back(block.support < 0);
-    }
-    std::vector<ThrustSegment> segments = thrustSegments(thrust, free);
-    // The lines of a large wall would merge, and its file would be too large to open: the strongest are
-    // drawn.
-    constexpr std::size_t most = 6000;
-    if (segments.size() > most)
-    {
-        std::nth_element(segments.begin(), segments.begin() + most, segments.end(),
-                         [](const ThrustSegment& a, const ThrustSegment& b) { return a.force > b.force; });
-        segments.resize(most);
-    }
-    // Of many, those of about the same width are one element of the file.
-    constexpr int widths = 12;
-    const bool areMany = segments.size() > 1000;
-    std::vector<std::vector<std::pair<Vector<2>, Vector<2>>>> ofWidth(areMany ? widths : 0);
-    for (const ThrustSegment& segment : segments)
-    {
-        const double share = segment.force / largest;
-        if (areMany)
-        {
-            ofWidth[static_cast<std::size_t>(std::lround(std::sqrt(share) * (widths - 1)))].emplace_back(
-                view(segment.from), view(segment.to));
-        }
-        else
-        {
-            drawing.line(
-                view(segment.from), view(segment.to),
-                {.stroke = std::string(thrustColour), .strokeWidth = thrustWidth(share), .opacity = 0.85});
-        }
-    }
-    for (std::size_t width = 0; width < ofWidth.size(); ++width)
-    {
-        if (!ofWidth[width].empty())
-        {
-            const double root = static_cast<double>(width) / (widths - 1);
-            drawing.lines(ofWidth[width], {.stroke = std::string(thrustColour),
-                                           .strokeWidth = thrustWidth(root * root),
-                                           .opacity = 0.85});
-        }
-    }
-    for (const JointForce<2>& joint : thrust)
-    {
-        const double share = joint.force.norm() / largest;
-        const bool isFree = free[static_cast<std::size_t>(joint.block)];
-        if (isFree == free[static_cast<std::size_t>(joint.neighbour)] || !(share > 0.02))
-        {
-            continue;
-        }
-        // The force is that on the first block; the picture has y downwards.
-        const Vector<2> onFree = (isFree ? 1.0 : -1.0) * joint.force.normalized();
-        paintReaction(drawing, view(joint.centre), {onFree.x(), -onFree.y()},
-                      0.7 * blockSize * view.scale * std::sqrt(share), thrustWidth(share));
-    }
-    return largest;
-}
-
 /// What colours, marks and lines mean, under the picture. \param isMoving whether blocks are where they were
 /// not built \param largestForce of the thrust [N]
 void paintLegend(PicturePage& page, const MechanismPicture& picture, const std::vector<JointMark>& marks,
@@ -344,17 +228,7 @@ void paintLegend(PicturePage& page, const MechanismPicture& picture, const std::
     x = paintMarkLegend(drawing, marks, {x, y});
     if (!picture.thrust.empty())
     {
-        // A scale of forces: the width of the largest one and of a tenth of it.
-        for (const double share : {1.0, 0.1})
-        {
-            const std::string label = forceLabel(share * largestForce);
-            drawing.line(
-                {x, y + 7}, {x + 24, y + 7},
-                {.stroke = std::string(thrustColour), .strokeWidth = thrustWidth(share), .opacity = 0.85});
-            drawing.text({x + 30, y + 11}, label, {.size = 12});
-            x += 30 + textWidth(label, 12) + 18;
-        }
-        drawing.text({x, y + 11}, "line of thrust, reactions", {.size = 12});
+        paintThrustLegend(drawing, largestForce, {x, y});
     }
 }
 

@@ -2,7 +2,7 @@
 /// The line of thrust through the blocks of a plane structure, as pictures draw it.
 #pragma once
 
-#include "io/MechanismPicture.h"
+#include "io/JointForces.h"
 
 namespace drystone
 {

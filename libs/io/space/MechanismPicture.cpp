@@ -1,14 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Axonometric picture of a structure in space, painted from back to front.
-///
-/// Of two blocks one is in front if a plane of a face of either has the blocks on its two sides: the one on
-/// the viewer's side. Faces that look away from the viewer are left out. Blocks are painted in an order that
-/// obeys all of these relations (topological sorting); where there is none, because blocks overlap each other
-/// in a ring, the one whose centre is farthest goes first.
+/// Axonometric picture of a structure in space, painted from back to front. Faces that look away from the
+/// viewer are left out.
 #include "io/MechanismPicture.h"
 
 #include "core/Error.h"
-#include "geometry/BroadPhase.h"
 #include "geometry/Rotation.h"
 #include "io/Canvas.h"
 #include "io/ClayColour.h"
@@ -16,31 +11,19 @@
 #include "io/MarkLegend.h"
 #include "io/PicturePage.h"
 #include "io/space/MarkPainter.h"
+#include "io/space/PaintingOrder.h"
 #include "io/space/View.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <queue>
 
 namespace drystone
 {
 
 namespace
 {
-
-struct ShownBlock
-{
-    Polyhedron shape;
-    Vector<3> centre = Vector<3>::Zero();
-    Box<2> box;       ///< as it is seen [m]
-    double moved = 0; ///< mean displacement of its corners [m]
-    bool isFixed = false;
-    int block = -1; ///< in the assembly
-};
 
 double meanDisplacement(const Polyhedron& before, const Polyhedron& after)
 {
@@ -76,170 +59,6 @@ std::vector<ShownBlock> shownBlocks(const Assembly<3>& assembly, const std::vect
         shown.push_back(std::move(entry));
     }
     return shown;
-}
-
-/// How far `other` is in front of a plane of a face of `one`: positive when all of it is.
-double leastHeight(const ShownBlock& other, const Vector<3>& origin, const Vector<3>& normal)
-{
-    double least = std::numeric_limits<double>::max();
-    for (const Vector<3>& vertex : other.shape.vertices)
-    {
-        least = std::min(least, normal.dot(vertex - origin));
-    }
-    return least;
-}
-
-/// Whether `one` is to be painted before `other`.
-bool isBehind(const ShownBlock& one, const ShownBlock& other, const View& view)
-{
-    // The plane that has the most room between the two decides; rounding must not.
-    double best = -std::numeric_limits<double>::max();
-    bool result = view.towardsViewer.dot(one.centre) < view.towardsViewer.dot(other.centre);
-    for (const auto& [owner, stranger] : {std::pair(&one, &other), std::pair(&other, &one)})
-    {
-        for (const std::vector<int>& face : owner->shape.faces)
-        {
-            const Vector<3> normal = areaVector(owner->shape, face).normalized();
-            const double slope = normal.dot(view.towardsViewer);
-            if (std::abs(slope) < 1e-3)
-            {
-                continue;
-            }
-            const double room =
-                leastHeight(*stranger, owner->shape.vertices[static_cast<std::size_t>(face.front())], normal);
-            if (room > best)
-            {
-                best = room;
-                // The stranger is beyond the face: in front of the owner if the face looks at the viewer.
-                result = (slope > 0) == (owner == &one);
-            }
-        }
-    }
-    return result;
-}
-
-/// Whether two blocks hide parts of each other, as far as their hulls go: no line along an edge of either, as
-/// it is seen, has them on its two sides. Where they do not, either may be painted first, and a relation
-/// between them would only close rings of others.
-bool isOverlapping(const ShownBlock& one, const ShownBlock& other, const View& view)
-{
-    const auto seen = [&view](const ShownBlock& block)
-    {
-        Polygon places;
-        for (const Vector<3>& vertex : block.shape.vertices)
-        {
-            places.push_back(view.seen(vertex));
-        }
-        return places;
-    };
-    const Polygon ofOne = seen(one);
-    const Polygon ofOther = seen(other);
-    const Vector<2> extent = one.box.upper - one.box.lower + other.box.upper - other.box.lower;
-    const double touching = 1e-6 * extent.maxCoeff(); // neighbours that only touch hide nothing
-    const auto rangeAlong = [](const Polygon& places, const Vector<2>& direction)
-    {
-        double least = std::numeric_limits<double>::max();
-        double most = -least;
-        for (const Vector<2>& place : places)
-        {
-            least = std::min(least, direction.dot(place));
-            most = std::max(most, direction.dot(place));
-        }
-        return std::pair(least, most);
-    };
-    for (const auto& [shape, places] : {std::pair(&one.shape, &ofOne), std::pair(&other.shape, &ofOther)})
-    {
-        for (const std::vector<int>& face : shape->faces)
-        {
-            for (std::size_t corner = 0; corner < face.size(); ++corner)
-            {
-                const Vector<2> edge = (*places)[face[(corner + 1) % face.size()]] - (*places)[face[corner]];
-                if (edge.norm() <= touching)
-                {
-                    continue;
-                }
-                const Vector<2> across = Vector<2>(edge.y(), -edge.x()).normalized();
-                const auto [leastOne, mostOne] = rangeAlong(ofOne, across);
-                const auto [leastOther, mostOther] = rangeAlong(ofOther, across);
-                if (std::min(mostOne, mostOther) - std::max(leastOne, leastOther) <= touching)
-                {
-                    return false;
-                }
-            }
-        }
-    }
-    return true;
-}
-
-/// Indices of the blocks from back to front.
-std::vector<int> paintingOrder(const std::vector<ShownBlock>& shown, const View& view)
-{
-    std::vector<Box<2>> boxes;
-    std::vector<double> depth;
-    for (const ShownBlock& block : shown)
-    {
-        boxes.push_back(block.box);
-        depth.push_back(view.towardsViewer.dot(block.centre));
-    }
-    std::vector<std::vector<int>> after(shown.size());
-    std::vector<int> before(shown.size(), 0);
-    for (const auto& [one, other] : findMeetingPairs(boxes))
-    {
-        if (!isOverlapping(shown[one], shown[other], view))
-        {
-            continue;
-        }
-        const bool oneFirst = isBehind(shown[one], shown[other], view);
-        after[oneFirst ? one : other].push_back(oneFirst ? other : one);
-        ++before[oneFirst ? other : one];
-    }
-    // The farthest of those that may be painted; where none may, the farthest of all that are left.
-    using Entry = std::pair<double, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> ready;
-    std::vector<Entry> all;
-    for (std::size_t i = 0; i < shown.size(); ++i)
-    {
-        all.emplace_back(depth[i], static_cast<int>(i));
-        if (before[i] == 0)
-        {
-            ready.push(all.back());
-        }
-    }
-    std::sort(all.begin(), all.end());
-    std::vector<char> isPainted(shown.size(), false);
-    std::vector<int> order;
-    auto left = all.begin();
-    while (order.size() < shown.size())
-    {
-        int next = -1;
-        if (!ready.empty())
-        {
-            next = ready.top().second;
-            ready.pop();
-        }
-        else
-        {
-            while (isPainted[left->second])
-            {
-                ++left;
-            }
-            next = left->second;
-        }
-        if (isPainted[next])
-        {
-            continue;
-        }
-        isPainted[next] = true;
-        order.push_back(next);
-        for (const int other : after[next])
-        {
-            if (--before[other] == 0 && !isPainted[other])
-            {
-                ready.emplace(depth[other], other);
-            }
-        }
-    }
-    return order;
 }
 
 void paintBlock(Canvas& drawing, const ShownBlock& block, const View& view, double value)
@@ -309,6 +128,27 @@ std::vector<Vector<3>> groundStrip(const Assembly<3>& assembly, double blockSize
             {box.lower.x() - margin, box.upper.y() + margin, top}};
 }
 
+/// What of the page of the view shows blocks and ground, with some room around them [m].
+Box<2> shownArea(const std::vector<ShownBlock>& shown, const std::vector<Vector<3>>& ground, const View& view,
+                 double blockSize)
+{
+    Box<2> area;
+    for (const ShownBlock& block : shown)
+    {
+        extend<2>(area, block.box.lower);
+        extend<2>(area, block.box.upper);
+    }
+    for (const Vector<3>& corner : ground)
+    {
+        extend<2>(area, view.seen(corner));
+    }
+    if (shown.empty())
+    {
+        area = {Vector<2>::Zero(), Vector<2>::Ones()};
+    }
+    return enlarged<2>(area, (ground.empty() ? 1 : 0.3) * blockSize);
+}
+
 void paintGround(Canvas& drawing, const std::vector<Vector<3>>& strip, const View& view)
 {
     if (strip.empty())
@@ -347,24 +187,11 @@ Canvas drawnMechanism(const Assembly<3>& assembly, const std::vector<Placement<3
         throw FatalError(fmt::format("{} placements were given for {} blocks.", placements.size(),
                                      assembly.blocks.size()));
     }
-    const double blockSize = meanBlockSize(assembly);
     View view = axonometricView(picture.towardsViewer);
+    const double blockSize = meanBlockSize(assembly);
     const std::vector<ShownBlock> shown = shownBlocks(assembly, placements, view);
-    for (const ShownBlock& block : shown)
-    {
-        extend<2>(view.world, block.box.lower);
-        extend<2>(view.world, block.box.upper);
-    }
     const std::vector<Vector<3>> ground = groundStrip(assembly, blockSize);
-    for (const Vector<3>& corner : ground)
-    {
-        extend<2>(view.world, view.seen(corner));
-    }
-    if (shown.empty())
-    {
-        view.world = {Vector<2>::Zero(), Vector<2>::Ones()};
-    }
-    view.world = enlarged<2>(view.world, (ground.empty() ? 1 : 0.3) * blockSize);
+    view.world = shownArea(shown, ground, view, blockSize);
     PicturePage page = makePicturePage(picture, view.world.upper - view.world.lower);
     view.scale = page.scale;
     view.corner = page.corner;

@@ -33,6 +33,26 @@ double sameIn(const Vector<3>& size)
     return 1e-9 * size.maxCoeff();
 }
 
+/// A face by the numbers that its corners have now: neighbours with one number are one corner. Of fewer than
+/// three there is no face left.
+std::vector<int> renumbered(const std::vector<int>& face, const std::vector<int>& numbers, int first = 0)
+{
+    std::vector<int> corners;
+    for (const int corner : face)
+    {
+        const int number = numbers[first + corner];
+        if (corners.empty() || corners.back() != number)
+        {
+            corners.push_back(number);
+        }
+    }
+    while (corners.size() > 1 && corners.back() == corners.front())
+    {
+        corners.pop_back();
+    }
+    return corners;
+}
+
 /// Corners of different cells that are the same but for rounding get one number.
 Complex complexOf(const std::vector<Polyhedron>& cells, double same)
 {
@@ -69,19 +89,7 @@ Complex complexOf(const std::vector<Polyhedron>& cells, double same)
         std::vector<std::vector<int>> faces;
         for (const std::vector<int>& face : cell.faces)
         {
-            std::vector<int> numbered;
-            for (const int corner : face)
-            {
-                const int number = numbers[first + corner];
-                if (numbered.empty() || numbered.back() != number)
-                {
-                    numbered.push_back(number);
-                }
-            }
-            while (numbered.size() > 1 && numbered.back() == numbered.front())
-            {
-                numbered.pop_back();
-            }
+            std::vector<int> numbered = renumbered(face, numbers, first);
             if (numbered.size() >= 3)
             {
                 faces.push_back(std::move(numbered));
@@ -188,6 +196,46 @@ std::vector<int> cornersOf(const std::vector<std::vector<int>>& faces)
     return corners;
 }
 
+using Edges = std::set<std::pair<int, int>>; ///< from one corner to the next of a face
+
+/// The edges of faces; nothing where two faces have one in the same direction.
+std::optional<Edges> edgesOf(const std::vector<std::vector<int>>& faces)
+{
+    Edges edges;
+    for (const std::vector<int>& face : faces)
+    {
+        for (std::size_t i = 0; i < face.size(); ++i)
+        {
+            if (!edges.emplace(face[i], face[(i + 1) % face.size()]).second)
+            {
+                return std::nullopt;
+            }
+        }
+    }
+    return edges;
+}
+
+/// A solid of some of the corners, numbered in the order in which its faces have them.
+Polyhedron solidOf(std::vector<std::vector<int>> faces, const std::vector<Vector<3>>& places)
+{
+    Polyhedron solid;
+    std::map<int, int> numbers;
+    for (std::vector<int>& face : faces)
+    {
+        for (int& corner : face)
+        {
+            const auto [number, isNew] = numbers.emplace(corner, static_cast<int>(numbers.size()));
+            if (isNew)
+            {
+                solid.vertices.push_back(places[corner]);
+            }
+            corner = number->second;
+        }
+    }
+    solid.faces = std::move(faces);
+    return solid;
+}
+
 /// One solid after the corners have been united; nothing when it is none any more. \param culprits the
 /// corners of the face at fault, before they were united, or of all where no single face is
 std::optional<Polyhedron> rebuilt(const std::vector<std::vector<int>>& faces,
@@ -195,22 +243,9 @@ std::optional<Polyhedron> rebuilt(const std::vector<std::vector<int>>& faces,
                                   double flat, std::vector<int>& culprits)
 {
     std::vector<std::vector<int>> parts;
-    culprits = cornersOf(faces);
     for (const std::vector<int>& face : faces)
     {
-        std::vector<int> corners;
-        for (const int corner : face)
-        {
-            const int root = roots[corner];
-            if (corners.empty() || corners.back() != root)
-            {
-                corners.push_back(root);
-            }
-        }
-        while (corners.size() > 1 && corners.back() == corners.front())
-        {
-            corners.pop_back();
-        }
+        const std::vector<int> corners = renumbered(face, roots);
         if (corners.size() < 3)
         {
             continue;
@@ -224,38 +259,19 @@ std::optional<Polyhedron> rebuilt(const std::vector<std::vector<int>>& faces,
         }
         parts.insert(parts.end(), split->begin(), split->end());
     }
-    Polyhedron solid;
-    std::map<int, int> numbers;
-    std::set<std::pair<int, int>> edges;
-    for (std::vector<int>& part : parts)
+    culprits = cornersOf(faces);
+    const std::optional<Edges> edges = edgesOf(parts);
+    if (!edges)
     {
-        for (std::size_t i = 0; i < part.size(); ++i)
-        {
-            if (!edges.emplace(part[i], part[(i + 1) % part.size()]).second)
-            {
-                return std::nullopt;
-            }
-        }
+        return std::nullopt;
     }
-    for (std::vector<int>& part : parts)
-    {
-        for (int& corner : part)
-        {
-            const auto [place, isNew] = numbers.emplace(corner, static_cast<int>(numbers.size()));
-            if (isNew)
-            {
-                solid.vertices.push_back(places[corner]);
-            }
-            corner = place->second;
-        }
-    }
-    const bool isClosed = std::all_of(edges.begin(), edges.end(),
+    const bool isClosed = std::all_of(edges->begin(), edges->end(),
                                       [&](const auto& edge) {
-                                          return edges.contains({edge.second, edge.first});
+                                          return edges->contains({edge.second, edge.first});
                                       });
-    solid.faces = std::move(parts);
+    Polyhedron solid = solidOf(std::move(parts), places);
     // Euler's formula for a solid without holes: two surfaces that hang together at a corner are none.
-    const bool isOne = solid.vertices.size() + solid.faces.size() == edges.size() / 2 + 2;
+    const bool isOne = solid.vertices.size() + solid.faces.size() == edges->size() / 2 + 2;
     // Faces may pass through each other where corners have moved past them.
     if (!isClosed || !isOne || findFault(solid))
     {
