@@ -153,13 +153,19 @@ bool solveFlow(ThetaStep& step, const FlowProblem<Dim>& problem, ConeSolution st
 }
 
 template<int Dim>
+bool mayGoOn(const StepProgram<Dim>& program, const StepSettings& settings, const ConeSolution& start)
+{
+    return settings.solver.solver == SolverType::automatic && !program.hasCompliance()
+           && !start.contactForce.isZero(0);
+}
+
+template<int Dim>
 bool goesOnFromLastStep(ThetaStep& step, const FlowProblem<Dim>& problem, const ConeSolution& start,
                         Following following)
 {
     const StepProgram<Dim>& program = problem.program;
     const StepSettings& settings = problem.settings;
-    if (settings.solver.solver != SolverType::automatic || program.hasCompliance()
-        || start.contactForce.isZero(0))
+    if (!mayGoOn(program, settings, start))
     {
         return false;
     }
@@ -185,6 +191,7 @@ template double errorOfFlow<2>(const Eigen::VectorXd& imposed, const Eigen::Vect
                                const Eigen::VectorXd& gap, const ThetaStep& step, double least);
 template bool solveFlow(ThetaStep& step, const FlowProblem<2>& problem, ConeSolution start,
                         const NewtonEffort& effort);
+template bool mayGoOn(const StepProgram<2>& program, const StepSettings& settings, const ConeSolution& start);
 template bool goesOnFromLastStep(ThetaStep& step, const FlowProblem<2>& problem, const ConeSolution& start,
                                  Following following);
 template Eigen::VectorXd dilatancy(const StepProgram<3>& program, const Eigen::VectorXd& closing,

@@ -43,6 +43,10 @@ template<int Dim>
 bool solveFlow(ThetaStep& step, const FlowProblem<Dim>& problem, ConeSolution start,
                const NewtonEffort& effort);
 
+/// Whether the forces of the last step are tried as a start of Coulomb's law.
+template<int Dim>
+bool mayGoOn(const StepProgram<Dim>& program, const StepSettings& settings, const ConeSolution& start);
+
 /// Coulomb's law from the forces of the last step, without a program: with `automatic` alone, since every
 /// other solver is requested by name, and not near rest, which only a program tells from slow motion.
 template<int Dim>

@@ -21,14 +21,9 @@ namespace
 constexpr double partOfOverlap = 0.1;
 
 /// Changes of state of points allowed from the forces of the last step; where they do not suffice, it was of
-/// another kind. So many, and one more for every so many points; from any forces so many times the number of
-/// points, of which more have led nowhere in space.
+/// another kind. So many, and one more for every so many points; from any forces as many as there are points.
 constexpr int fewPivots = 24;
 constexpr int pointsToAPivot = 10;
-constexpr int manyPivots(int dimensions)
-{
-    return dimensions == 3 ? 1 : 4;
-}
 
 /// In space a path that after so many changes, and one for so many points, is still at its start stays there:
 /// it swings about it.
@@ -70,6 +65,14 @@ double stiffnessFor(const StepProgram<Dim>& program, double force, double overla
 template<int Dim>
 using PathOf = ContactPath<freedomCount<Dim>, Dim>;
 
+/// In the plane, where neither way ends: from points that are softer by this factor to nearly rigid ones
+/// through all stiffnesses between (ContactPath::stiffen). That leads to forces which no other way reaches,
+/// in up to so many changes of state and factorisations for each point: half of the ways in rubble take 3 and
+/// 0.3, few more than 6 and 1.
+constexpr double softest = 16777216;
+constexpr int pivotsToStiffen = 12;
+constexpr int factorisationsToStiffen = 2;
+
 /// A problem whose flow is followed, and what counts the work.
 template<int Dim>
 struct FollowedFlow
@@ -89,6 +92,8 @@ struct FlowStage
     /// Whether gaps are to be right where the blocks end up, with no more overlaps than the settings want;
     /// before, they stay as they are.
     bool isLast;
+    int mostFactorisations = std::numeric_limits<int>::max();
+    double softness = 1; ///< by how much points are softer at first, and then stiffen gradually
 };
 
 /// The work of the step so far.
@@ -129,7 +134,23 @@ bool closeOverlaps(const FollowedFlow<Dim>& flow, PathOf<Dim>& path, ConeSolutio
     return true;
 }
 
-/// From a solution to that of a stage. \return whether it was reached
+/// From a solution to that of a stage, which in the plane may begin with softer points. \return whether it
+/// was reached
+template<int Dim>
+bool reachStage(const FollowedFlow<Dim>& flow, PathOf<Dim>& path, const FlowStage& stage)
+{
+    if constexpr (Dim == 2)
+    {
+        if (stage.softness > 1)
+        {
+            return path.follow(flow.program) && path.stiffen(stage.stiffness) && path.follow(flow.program);
+        }
+    }
+    return path.follow(flow.program);
+}
+
+/// From a solution to that of a stage, with gaps that are right where it leads. \return whether it was
+/// reached
 template<int Dim>
 bool followTo(FollowedFlow<Dim>& flow, ConeSolution& solution, const FlowStage& stage)
 {
@@ -137,10 +158,11 @@ bool followTo(FollowedFlow<Dim>& flow, ConeSolution& solution, const FlowStage& 
     constexpr double exact = 1e-3;
     const FlowProblem<Dim>& problem = flow.problem;
     const StepSettings& settings = problem.settings;
-    ContactPathSettings ofPath{.stiffness = stage.stiffness,
+    ContactPathSettings ofPath{.stiffness = stage.stiffness / stage.softness,
                                .tolerance = beyond * settings.solver.tolerance,
                                .maximumPivots = stage.mostPivots,
-                               .maximumFactorisations = factorisationsLeft(flow)};
+                               .maximumFactorisations =
+                                   std::min(factorisationsLeft(flow), stage.mostFactorisations)};
     if (Dim == 3)
     {
         ofPath.maximumPivotsAtStart = pivotsAtStart + flow.program.points() / pointsToAPivotAtStart;
@@ -148,7 +170,9 @@ bool followTo(FollowedFlow<Dim>& flow, ConeSolution& solution, const FlowStage& 
     PathOf<Dim> path(flow.program, solution, ofPath, problem.symbolic);
     bool isReached = false;
     double before = std::numeric_limits<double>::infinity();
-    for (int round = 0; !isReached && round <= mostRelinearisations && path.follow(flow.program); ++round)
+    for (int round = 0; !isReached && round <= mostRelinearisations
+                        && (round == 0 ? reachStage(flow, path, stage) : path.follow(flow.program));
+         ++round)
     {
         solution.contactForce = path.contactForce();
         solution.displacement = displacementUnder(
@@ -173,18 +197,27 @@ bool followTo(FollowedFlow<Dim>& flow, ConeSolution& solution, const FlowStage& 
     return isReached;
 }
 
-/// From forces of another kind, by way of softer points. In space paths that lead nowhere leave programs
-/// their share of the work. \param last stage \return whether it was reached
+/// Paths that lead nowhere leave programs their share of the work.
+template<int Dim>
+void leaveWorkForPrograms(FollowedFlow<Dim>& flow)
+{
+    constexpr double partOfWork = Dim == 3 ? 0.5 : 0.75; // in the plane they arrive
+    if (const StepWork* work = flow.problem.settings.work)
+    {
+        const double done = workDone(flow);
+        flow.mostWork = done + partOfWork * std::max(0.0, work->mostOfAttempt - work->done - done);
+    }
+}
+
+/// From forces of another kind, by way of softer points: in stages, or else gradually. \param last stage
+/// \return whether it was reached
 template<int Dim>
 bool followFromAfar(FollowedFlow<Dim>& flow, ConeSolution& solution, const ConeSolution& start,
                     const FlowStage& last)
 {
-    constexpr double partOfWork = 0.5;
-    const StepWork* work = flow.problem.settings.work;
-    if (Dim == 3 && work)
+    if (Dim == 3)
     {
-        const double done = workDone(flow);
-        flow.mostWork = done + partOfWork * std::max(0.0, work->mostOfAttempt - work->done - done);
+        leaveWorkForPrograms(flow);
     }
     const StepProgram<Dim>& program = flow.problem.program;
     for (std::size_t way = 0; way < waysIn(Dim); ++way)
@@ -204,7 +237,18 @@ bool followFromAfar(FollowedFlow<Dim>& flow, ConeSolution& solution, const ConeS
             return true;
         }
     }
-    return false;
+    if (Dim == 3)
+    {
+        return false;
+    }
+    leaveWorkForPrograms(flow);
+    flow.program = program;
+    solution = start;
+    FlowStage gradual = last;
+    gradual.softness = softest;
+    gradual.mostPivots = pivotsToStiffen * program.points();
+    gradual.mostFactorisations = factorisationsToStiffen * program.points();
+    return followTo(flow, solution, gradual);
 }
 
 } // namespace
@@ -251,7 +295,7 @@ bool followFlow(ThetaStep& step, const FlowProblem<Dim>& problem, const ConeSolu
     const double stiffness = stiffnessFor(program, largest, overlap / 2, settings.partOfStep);
     const double gapTolerance = partOfOverlap * overlap;
     const int few = fewPivots + program.points() / pointsToAPivot;
-    const int many = manyPivots(Dim) * program.points();
+    const int many = program.points();
     FollowedFlow<Dim> flow{program, problem, step};
     ConeSolution solution = start;
     const bool isReached =

@@ -188,8 +188,9 @@ bool StepSearch<Dim>::creeps() const
     return isSlow && !start.contactForce.isZero(0);
 }
 
-/// In space a path from forces of another kind is long, and in large structures often leads nowhere: it is
-/// tried where a motion begins, and where one that was followed is lost.
+/// In the plane paths from afar lead by the same forces of soft points: one is tried. In space such a path is
+/// long, and in large structures often leads nowhere: it is tried where a motion begins, and where one that
+/// was followed is lost.
 template<int Dim>
 void StepSearch<Dim>::chooseFollowing()
 {
@@ -203,6 +204,10 @@ void StepSearch<Dim>::chooseFollowing()
             !isImpact && (!isGuessed || guess.displacement.isZero(0) || start.contactForce.isZero(0));
         fromLastStep = isFollowed ? Following::fromLastStep : Following::notAtAll;
         afterProgram = isFollowed || begins ? Following::fromAnyForces : Following::notAtAll;
+    }
+    else if (isCoulomb && mayGoOn(program, settings, start))
+    {
+        afterProgram = Following::fromLastStep;
     }
 }
 

@@ -145,6 +145,45 @@ TEST(ContactPath, FollowsRandomStacksByEitherLaw)
     }
 }
 
+// From points of 0.6 N/m, whose forces are those of one solution.
+TEST(ContactPath, StiffensRandomStacksGraduallyToTheForcesOfStiffPoints)
+{
+    constexpr double stiffness = 1e7;
+    constexpr double soft = stiffness / 16777216;
+    std::mt19937 random(11);
+    int alike = 0;
+    for (int trial = 0; trial < 200; ++trial)
+    {
+        const PlaneConeProgram program = pushedStack(6, random);
+        SymbolicAnalysis symbolic;
+        const ConeSolution near = solveInteriorPoint(program, {1e-9, 100, 3});
+        ContactPath<3, 2> path(program, near, {Sliding::coulomb, soft, 1e-12, 1000}, symbolic);
+        ASSERT_TRUE(path.follow(program)) << "stack " << trial;
+        EXPECT_LT(errorOf(program, Sliding::coulomb, soft, path.displacement(), path.contactForce()), 1e-9);
+        ASSERT_TRUE(path.stiffen(stiffness)) << "stack " << trial;
+        ASSERT_TRUE(path.follow(program)) << "stack " << trial;
+        EXPECT_LT(errorOf(program, Sliding::coulomb, stiffness, path.displacement(), path.contactForce()),
+                  1e-6)
+            << "stack " << trial;
+        ContactPath<3, 2> direct(program, near, {Sliding::coulomb, stiffness, 1e-12, 1000}, symbolic);
+        alike += direct.follow(program)
+                 && (direct.displacement() - path.displacement()).lpNorm<Eigen::Infinity>() < 1e-9;
+    }
+    EXPECT_GE(alike, 190) << "of 200: by Coulomb's law there may be several solutions";
+}
+
+TEST(ContactPath, DoesNotStiffenBeyondTheChangesOfStateAllowed)
+{
+    std::mt19937 random(11);
+    const PlaneConeProgram program = pushedStack(6, random);
+    SymbolicAnalysis symbolic;
+    const ConeSolution near = solveInteriorPoint(program, {1e-9, 100, 3});
+    ContactPathSettings settings{Sliding::coulomb, 0.6, 1e-12, 1000};
+    settings.maximumFactorisations = 3;
+    ContactPath<3, 2> path(program, near, settings, symbolic);
+    EXPECT_FALSE(path.follow(program) && path.stiffen(1e7));
+}
+
 TEST(ContactPath, GoesOnFromItsOwnForcesByOneFactorisation)
 {
     std::mt19937 random(3);

@@ -69,6 +69,7 @@ template<int Rows, int Forces>
 ContactPath<Rows, Forces>::ContactPath(const Program& program, const ConeSolution& startAt,
                                        const ContactPathSettings& with, SymbolicAnalysis& symbolic)
     : settings(with),
+      stiffness(with.stiffness),
       system(checked(program, startAt, with.sliding), with.sliding, symbolic),
       matrix(system, with.stiffness),
       start(startAt.displacement)
@@ -77,7 +78,7 @@ ContactPath<Rows, Forces>::ContactPath(const Program& program, const ConeSolutio
     enough = settings.tolerance * system.scaledRows(program.load).template lpNorm<Eigen::Infinity>();
     x = VectorXd::Zero(program.load.size());
     gap = gapAfter(program, start);
-    PathStart<Forces> first = pathStart<Forces>(laws, startAt.contactForce, -settings.stiffness * gap);
+    PathStart<Forces> first = pathStart<Forces>(laws, startAt.contactForce, -stiffness * gap);
     w = std::move(first.w);
     states = std::move(first.states);
     findForces();
@@ -105,6 +106,18 @@ void ContactPath<Rows, Forces>::findPieces()
     }
     findForces();
     matrix.forget();
+}
+
+/// Of the states, on whose pieces w need not be.
+template<int Rows, int Forces>
+Eigen::VectorXd ContactPath<Rows, Forces>::forceOnPieces() const
+{
+    VectorXd ofPieces(w.size());
+    for (std::size_t point = 0; point < laws.size(); ++point)
+    {
+        ofPieces.template segment<Forces>(Forces * static_cast<Eigen::Index>(point)) = onPiece(point).force;
+    }
+    return ofPieces;
 }
 
 template<int Rows, int Forces>
@@ -146,9 +159,9 @@ bool ContactPath<Rows, Forces>::changePiece(int point, const Force& u, const For
     }
     // With S' = S + k A u (A v)' and r0 - A D dw less by A u (v'dw): the new direction and rate of w.
     const double share =
-        v.dot(rate.template segment<Forces>(Forces * point)) / (settings.stiffness * change->determinant);
+        v.dot(rate.template segment<Forces>(Forces * point)) / (stiffness * change->determinant);
     direction -= share * change->solved;
-    rate -= share * settings.stiffness * system.closings(change->solved);
+    rate -= share * stiffness * system.closings(change->solved);
     return true;
 }
 
@@ -196,15 +209,43 @@ bool ContactPath<Rows, Forces>::cross(const Exit& exit, VectorXd& direction, Vec
     return changePiece(exit.point, difference * v / v.squaredNorm(), v, derivative, direction, rate);
 }
 
-/// From t = 0 to 1. \param residualOfStart r0 \param change of w but for that of y
 template<int Rows, int Forces>
-bool ContactPath<Rows, Forces>::walk(const VectorXd& residualOfStart, const VectorXd& change)
+void ContactPath<Rows, Forces>::findSides()
 {
     sides.resize(states.size());
     for (std::size_t point = 0; point < states.size(); ++point)
     {
         sides[point] = sidesOf<Forces>(laws[point], states[point]);
     }
+}
+
+/// D dw: by how much forces change on their pieces. \param change of w
+template<int Rows, int Forces>
+Eigen::VectorXd ContactPath<Rows, Forces>::forceChange(const VectorXd& change) const
+{
+    VectorXd changed(change.size());
+    for (std::size_t point = 0; point < laws.size(); ++point)
+    {
+        const auto row = Forces * static_cast<Eigen::Index>(point);
+        changed.template segment<Forces>(row) =
+            onPiece(point).derivative * change.template segment<Forces>(row);
+    }
+    return changed;
+}
+
+/// In which sense of t a path goes on beyond the side where it came in. \return 1, -1, or 0: along it
+template<int Rows, int Forces>
+double ContactPath<Rows, Forces>::senseBeyond(const Exit& last, const VectorXd& rate) const
+{
+    const double beyond = last.side.normal.dot(rate.template segment<Forces>(Forces * last.point));
+    return beyond > 0 ? 1 : beyond < 0 ? -1 : 0;
+}
+
+/// From t = 0 to 1. \param residualOfStart r0 \param change of w but for that of y
+template<int Rows, int Forces>
+bool ContactPath<Rows, Forces>::walk(const VectorXd& residualOfStart, const VectorXd& change)
+{
+    findSides();
     const int pivotsBefore = pivots;
     double t = 0;
     Exit last;
@@ -215,25 +256,17 @@ bool ContactPath<Rows, Forces>::walk(const VectorXd& residualOfStart, const Vect
         if (direction.size() == 0)
         {
             // S dx = r0 - A D dw.
-            VectorXd forceChange(w.size());
-            for (std::size_t point = 0; point < laws.size(); ++point)
-            {
-                const auto row = Forces * static_cast<Eigen::Index>(point);
-                forceChange.template segment<Forces>(row) =
-                    onPiece(point).derivative * change.template segment<Forces>(row);
-            }
-            direction = matrix.solve(residualOfStart - system.forcesOnBodies(forceChange));
-            rate = change + settings.stiffness * system.closings(direction);
+            direction = matrix.solve(residualOfStart - system.forcesOnBodies(forceChange(change)));
+            rate = change + stiffness * system.closings(direction);
         }
         double sense = 1;
         if (last.point >= 0 && settings.sliding == Sliding::coulomb)
         {
-            const double beyond = last.side.normal.dot(rate.template segment<Forces>(Forces * last.point));
-            if (!(beyond != 0))
+            sense = senseBeyond(last, rate);
+            if (sense == 0)
             {
                 return false;
             }
-            sense = beyond > 0 ? 1 : -1;
         }
         const double farthest = sense > 0 ? 1 - t : std::numeric_limits<double>::infinity();
         const Exit exit = firstExit(laws, states, sides, w, rate, sense, farthest, last);
@@ -269,7 +302,7 @@ bool ContactPath<Rows, Forces>::walk(const VectorXd& residualOfStart, const Vect
 template<int Rows, int Forces>
 bool ContactPath<Rows, Forces>::isRounding(const VectorXd& left) const
 {
-    const VectorXd changed = settings.stiffness * system.closings(left);
+    const VectorXd changed = stiffness * system.closings(left);
     return changed.size() == 0
            || changed.template lpNorm<Eigen::Infinity>()
                   <= asGoodAsItGets * force.template lpNorm<Eigen::Infinity>();
@@ -313,15 +346,9 @@ bool ContactPath<Rows, Forces>::polish()
             return false;
         }
         // In the states of the path, not in those of w: by rounding a point may be beyond a side.
-        VectorXd ofPieces(w.size());
-        for (std::size_t point = 0; point < laws.size(); ++point)
-        {
-            ofPieces.template segment<Forces>(Forces * static_cast<Eigen::Index>(point)) =
-                onPiece(point).force;
-        }
-        const VectorXd moved = matrix.solve(load - x - system.forcesOnBodies(ofPieces));
+        const VectorXd moved = matrix.solve(load - x - system.forcesOnBodies(forceOnPieces()));
         x += moved;
-        w += settings.stiffness * system.closings(moved);
+        w += stiffness * system.closings(moved);
     }
     return false;
 }
@@ -342,7 +369,7 @@ bool ContactPath<Rows, Forces>::follow(const Program& program)
     // on may not be that of its solution: then the path goes on from the pieces of its end.
     for (int round = 0; round < mostEnds(Forces); ++round)
     {
-        const VectorXd change = settings.stiffness * (system.closings(x) - gap) - w;
+        const VectorXd change = stiffness * (system.closings(x) - gap) - w;
         const VectorXd residualOfStart = residual();
         if (!(matrix.isFactorised() || factorise()) || !walk(residualOfStart, change))
         {

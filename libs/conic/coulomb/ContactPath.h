@@ -15,7 +15,7 @@ namespace drystone
 struct ContactPathSettings
 {
     Sliding sliding = Sliding::coulomb;
-    double stiffness = 0;     ///< k of every point, in both directions [N/m]
+    double stiffness = 0;     ///< k of every point to begin with, in both directions [N/m]
     double tolerance = 1e-12; ///< on the equations of motion, relative to the largest load
     int maximumPivots = 1000; ///< changes of state of single points, in one call
     /// Of a walk that does not leave its start: it swings there between too many points that are nearly open,
@@ -69,6 +69,11 @@ public:
     /// since. \return whether it was reached
     bool follow(const Program& program);
 
+    /// In the plane, from a solution that was followed to that of the same program with points of another
+    /// stiffness, by way of all between them (StiffeningPath.cpp): where `follow` swings between forces of
+    /// points that are much softer and much stiffer, this does not. \return whether it was reached
+    bool stiffen(double toStiffness);
+
     VectorXd displacement() const;
     const VectorXd& contactForce() const { return force; }
 
@@ -84,6 +89,7 @@ private:
 
     void findForces();
     void findPieces();
+    VectorXd forceOnPieces() const;
     VectorXd residual() const;
     bool factorise();
     bool walk(const VectorXd& residualOfStart, const VectorXd& change);
@@ -98,12 +104,20 @@ private:
     }
     bool followTangents();
     bool cross(const Exit& exit, VectorXd& direction, VectorXd& rate);
+    void findSides();
+    VectorXd forceChange(const VectorXd& change) const;
+    double senseBeyond(const Exit& last, const VectorXd& rate) const;
+    void settleOnPieces();
+    double farthestOutside() const;
+    struct Halt;
+    bool walkStiffening(Halt& halt, double length, double farthest);
     bool changePiece(int point, const Force& u, const Force& v, const Derivative& derivative,
                      VectorXd& direction, VectorXd& rate);
     bool isRounding(const VectorXd& left) const;
     bool polish();
 
     const ContactPathSettings settings;
+    double stiffness; ///< k now
     ContactSystem<Rows, Forces> system;
     PieceMatrix<Rows, Forces> matrix;             ///< of `states`
     std::vector<ConeColumns<Rows, Forces>> given; ///< of the program

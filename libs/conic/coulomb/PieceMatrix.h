@@ -42,6 +42,11 @@ public:
     bool isFactorised() const { return isReady; }
     /// Columns, or states of many points, have changed.
     void forget() { isReady = false; }
+    void setStiffness(double ofEachPoint)
+    {
+        stiffness = ofEachPoint;
+        forget();
+    }
 
     bool isChanged() const { return !changes.empty(); }
     /// Whether the next change is better made by factorising.
@@ -60,7 +65,7 @@ private:
     VectorXd times(const VectorXd& direction) const;
 
     ContactSystem<Rows, Forces>& system;
-    const double stiffness;
+    double stiffness;
     std::vector<Derivative> derivatives; ///< of each point now
     bool isReady = false;
     std::vector<Change> changes; ///< since it was factorised
