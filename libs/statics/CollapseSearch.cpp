@@ -36,8 +36,9 @@ constexpr double firstPenalty = 5;
 constexpr double inwards = 0.01;
 
 /// Every so many paths begin with other forces for the dead load, from a random objective: those that end
-/// lowest mostly do.
+/// lowest mostly do. Until one has met a collapse they are fewer, as they meet one less often.
 constexpr int pathsToOtherForces = 3;
+constexpr int pathsToOtherForcesAtFirst = 8;
 
 /// Dilatancy of blocks that fall: first, and what remains of it in the pair, as a share of the tolerance.
 constexpr double wedging = 3e-2;
@@ -121,12 +122,13 @@ void CollapseSearch<Rows, Forces>::go(int number)
 {
     ++range.starts;
     double spread = number == 0 ? firstSpread : number == 1 ? secondSpread : largestSpread * uniform();
+    const int toOtherForces = lowest.exists() ? pathsToOtherForces : pathsToOtherForcesAtFirst;
     std::optional<Start> start;
     if (number == 0)
     {
         start = associativePair.exists() ? lowForces(associativePair, firstPenalty) : std::nullopt;
     }
-    else if (number % pathsToOtherForces == pathsToOtherForces - 1)
+    else if (number % toOtherForces == toOtherForces - 1)
     {
         start = otherRest();
     }

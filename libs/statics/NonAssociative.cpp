@@ -155,7 +155,8 @@ void declare(Options& options, NonAssociativeSettings& settings)
     options
         .optional("starts", settings.starts,
                   "paths to collapse: more of them find lower collapses of the many that Coulomb's law has; "
-                  "in space others follow until four in a row find none")
+                  "others follow, up to 16, in structures so small that they take milliseconds, and in space "
+                  "until four in a row find none")
         .atLeast(1)
         .atMost(1000);
     options.optional("seed", settings.seed, "of the random numbers that later starts are made from")
