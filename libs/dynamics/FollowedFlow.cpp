@@ -134,19 +134,16 @@ bool closeOverlaps(const FollowedFlow<Dim>& flow, PathOf<Dim>& path, ConeSolutio
     return true;
 }
 
-/// From a solution to that of a stage, which in the plane may begin with softer points. \return whether it
-/// was reached
+/// Where a stage begins with softer points, from a solution to theirs, and on until they are as stiff as the
+/// stage has them. \return whether that was reached
 template<int Dim>
-bool reachStage(const FollowedFlow<Dim>& flow, PathOf<Dim>& path, const FlowStage& stage)
+bool stiffenGradually(const FollowedFlow<Dim>& flow, PathOf<Dim>& path, const FlowStage& stage)
 {
     if constexpr (Dim == 2)
     {
-        if (stage.softness > 1)
-        {
-            return path.follow(flow.program) && path.stiffen(stage.stiffness) && path.follow(flow.program);
-        }
+        return stage.softness == 1 || (path.follow(flow.program) && path.stiffen(stage.stiffness));
     }
-    return path.follow(flow.program);
+    return true;
 }
 
 /// From a solution to that of a stage, with gaps that are right where it leads. \return whether it was
@@ -168,10 +165,10 @@ bool followTo(FollowedFlow<Dim>& flow, ConeSolution& solution, const FlowStage& 
         ofPath.maximumPivotsAtStart = pivotsAtStart + flow.program.points() / pointsToAPivotAtStart;
     }
     PathOf<Dim> path(flow.program, solution, ofPath, problem.symbolic);
+    const bool begins = stiffenGradually(flow, path, stage);
     bool isReached = false;
     double before = std::numeric_limits<double>::infinity();
-    for (int round = 0; !isReached && round <= mostRelinearisations
-                        && (round == 0 ? reachStage(flow, path, stage) : path.follow(flow.program));
+    for (int round = 0; begins && !isReached && round <= mostRelinearisations && path.follow(flow.program);
          ++round)
     {
         solution.contactForce = path.contactForce();

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// References first, of motions by Richardson's extrapolation; settings whose first runs fail are given up.
+/// References first, of motions by Richardson's extrapolation, then sweeps; their log and files.
 #include "ensembles/AccuracyStudyRun.h"
 
 #include "core/Log.h"
@@ -9,13 +9,13 @@
 #include "ensembles/AccuracyPictures.h"
 #include "ensembles/AccuracyWords.h"
 #include "ensembles/CaseRuns.h"
+#include "ensembles/RunSequence.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <set>
 
 namespace drystone
 {
@@ -23,165 +23,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-/// When the first runs of a setting are not solved, this many of them, the others are not tried: a solver
-/// that fails takes a long time to do so.
-constexpr int runsUntilGivenUp = 3;
-
-/// Runs of one setting.
-struct RunPlan
-{
-    std::size_t quantity = 0;
-    RunSetting setting;
-    int runs = 1;
-
-    RunKey key(int index) const { return {quantity, setting, {index, runs}}; }
-};
-
-RunPlan planOf(const AccuracyStudy& study, std::size_t quantity, const RunSetting& setting, int phases,
-               int repeats)
-{
-    return {quantity, setting, study.quantities[quantity].kind == QuantityKind::motion ? phases : repeats};
-}
-
-/// The runs of a reference: of a motion with four times, twice and once the step.
-std::vector<RunPlan> referencePlans(const AccuracyStudy& study, std::size_t index)
-{
-    const StudyQuantity& quantity = study.quantities[index];
-    std::vector<RunPlan> plans;
-    if (quantity.reference.kind == ReferencePlan::Kind::finest)
-    {
-        const RunSetting finest = finestSetting(quantity.reference, quantity.ofCase);
-        for (const double factor : {4.0, 2.0, 1.0})
-        {
-            RunSetting setting = finest;
-            setting.deltaT *= factor;
-            if (quantity.kind == QuantityKind::motion || factor == 1)
-            {
-                plans.push_back(planOf(study, index, setting, quantity.reference.phases, 1));
-            }
-        }
-    }
-    return plans;
-}
-
-std::vector<RunPlan> sweepPlans(const AccuracyStudy& study, std::size_t index)
-{
-    const Sweep& sweep = study.sweeps[index].second;
-    const std::size_t quantity = study.quantityOfSweep[index];
-    std::vector<RunPlan> plans;
-    for (const RunSetting& setting : settingsOf(sweep, study.quantities[quantity].ofCase))
-    {
-        plans.push_back(planOf(study, quantity, setting, sweep.phases, sweep.repeats));
-    }
-    return plans;
-}
-
-/// Approximate work of a plan, in steps of a motion; limit analyses count as some tens.
-double workOf(const AccuracyStudy& study, const RunPlan& plan)
-{
-    return plan.runs * (plan.setting.deltaT > 0 ? study.duration / plan.setting.deltaT : 30);
-}
-
-/// Carries out runs, shows their progress, and keeps them.
-class RunSequence
-{
-public:
-    RunSequence(const AccuracyStudy& accuracyStudy, AccuracyRuns& knownRuns)
-        : study(accuracyStudy), runs(knownRuns)
-    {
-        for (std::size_t quantity = 0; quantity < study.quantities.size(); ++quantity)
-        {
-            count(referencePlans(study, quantity));
-        }
-        for (std::size_t sweep = 0; sweep < study.sweeps.size(); ++sweep)
-        {
-            count(sweepPlans(study, sweep));
-        }
-    }
-
-    /// The runs of a plan; nothing when a signal has come.
-    std::optional<std::vector<Measurement>> carryOut(const RunPlan& plan)
-    {
-        std::vector<Measurement> made;
-        bool isNew = false;
-        for (int index = 0; index < plan.runs; ++index)
-        {
-            if (index == runsUntilGivenUp && isUnsolved(made))
-            {
-                done += isNew ? workOf(study, plan) * (plan.runs - index) / plan.runs : 0;
-                break;
-            }
-            const RunKey key = plan.key(index);
-            const Measurement* known = runs.find(key);
-            if (known)
-            {
-                made.push_back(*known);
-                continue;
-            }
-            if (stopSignal() != 0)
-            {
-                runs.write();
-                return {};
-            }
-            const StudyQuantity& quantity = study.quantities[plan.quantity];
-            const double start = clockTime();
-            const Measurement run = quantity.quantity.measure(plan.setting, key.phase);
-            if (run.end == RunEnd::interrupted)
-            {
-                runs.write();
-                return {};
-            }
-            isNew = true;
-            runs.add(key, run);
-            made.push_back(run);
-            done += workOf(study, plan) / plan.runs;
-            spent += clockTime() - start;
-            progress.update(work > 0 ? done / work : 1, quantity.name);
-        }
-        if (isNew)
-        {
-            runs.write();
-        }
-        return made;
-    }
-
-    /// `12 s left`
-    std::string timeLeft() const
-    {
-        return done > 0 ? durationText(spent * std::max(work - done, 0.0) / done) + " left" : "known";
-    }
-
-private:
-    static bool isUnsolved(const std::vector<Measurement>& made)
-    {
-        return std::all_of(made.begin(), made.end(),
-                           [](const Measurement& run) { return run.end == RunEnd::unsolved; });
-    }
-
-    /// Counts what is to be done, once.
-    void count(const std::vector<RunPlan>& plans)
-    {
-        for (const RunPlan& plan : plans)
-        {
-            for (int index = 0; index < plan.runs; ++index)
-            {
-                if (!runs.find(plan.key(index)) && counted.insert(plan.key(index)).second)
-                {
-                    work += workOf(study, plan) / plan.runs;
-                }
-            }
-        }
-    }
-
-    const AccuracyStudy& study;
-    AccuracyRuns& runs;
-    std::set<RunKey> counted;
-    Progress progress;
-    double work = 0; ///< to be done by this call
-    double done = 0;
-    double spent = 0; ///< [s]
-};
 
 /// The runs that a quantity is compared with, finest last; nothing when a signal has come.
 /// \throws FatalIOError where one of them fails

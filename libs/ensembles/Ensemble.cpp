@@ -4,6 +4,7 @@
 
 #include "core/Log.h"
 #include "core/WholeFile.h"
+#include "dictionary/NamesIn.h"
 #include "ensembles/CaseRuns.h"
 #include "ensembles/SamplesInProcess.h"
 #include "ensembles/WrittenTables.h"
@@ -286,16 +287,8 @@ Ensemble readEnsemble(const fs::path& caseDirectory, const std::vector<std::stri
     requireScripts(ensemble, caseDirectory);
     requireResults(ensemble);
     requireFiles(ensemble);
-    std::vector<std::string> names;
-    for (const auto& [name, variable] : ensemble.settings.variables)
-    {
-        names.push_back(name);
-    }
-    const std::vector<std::string> variables = names;
-    for (const auto& [name, figure] : ensemble.settings.results)
-    {
-        names.push_back(name);
-    }
+    const std::vector<std::string> variables = namesIn(ensemble.settings.variables);
+    std::vector<std::string> names = namesIn(ensemble.settings.variables, ensemble.settings.results);
     for (const auto& [name, statistic] : ensemble.settings.statistics)
     {
         if (!statistic.curve.empty())

@@ -4,6 +4,7 @@
 
 #include "core/Log.h"
 #include "core/WholeFile.h"
+#include "dictionary/NamesIn.h"
 
 #include <algorithm>
 #include <array>
@@ -245,14 +246,7 @@ SampleTable collectSamples(const Ensemble& ensemble, std::map<long, SampleRow>& 
     rows.erase(rows.lower_bound(ensemble.samples()), rows.end()); // of an earlier, longer table
     SampleTable table;
     table.variables = settings.variables.size();
-    for (const auto& [name, variable] : settings.variables)
-    {
-        table.names.push_back(name);
-    }
-    for (const auto& [name, figure] : settings.results)
-    {
-        table.names.push_back(name);
-    }
+    table.names = namesIn(settings.variables, settings.results);
     table.columns.resize(table.names.size());
     table.texts.resize(table.variables);
     table.asked = ensemble.samples();

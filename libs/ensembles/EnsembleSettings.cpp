@@ -2,6 +2,7 @@
 /// Declares the keys of system/ensembleDict.
 #include "ensembles/EnsembleSettings.h"
 
+#include "dictionary/NamesIn.h"
 #include "ensembles/CaseRuns.h"
 
 #include <fmt/format.h>
@@ -108,11 +109,8 @@ std::string faultOfVariables(const EnsembleSettings& settings)
 
 std::string faultOfResults(const EnsembleSettings& settings)
 {
-    std::set<std::string> names;
-    for (const auto& [name, variable] : settings.variables)
-    {
-        names.insert(name);
-    }
+    const std::vector<std::string> variables = namesIn(settings.variables);
+    std::set<std::string> names(variables.begin(), variables.end());
     for (const auto& [name, result] : settings.results)
     {
         if (std::string fault = faultOfNextName(name, names); !fault.empty())

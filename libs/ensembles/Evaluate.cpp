@@ -5,6 +5,7 @@
 #include "core/Log.h"
 #include "core/Paragraph.h"
 #include "core/WholeFile.h"
+#include "dictionary/NamesIn.h"
 #include "ensembles/Ensemble.h"
 
 #include <fmt/format.h>
@@ -161,13 +162,9 @@ int evaluateSample(const fs::path& caseDirectory, const fs::path& parameters, co
     }
     if (!given.empty())
     {
-        std::vector<std::string> names;
-        for (const auto& [name, variable] : ensemble.settings.variables)
-        {
-            names.push_back(name);
-        }
-        throw FatalIOError(unknownWordMessage("variable", given.begin()->first, names),
-                           {parameters.string(), "", 0});
+        throw FatalIOError(
+            unknownWordMessage("variable", given.begin()->first, namesIn(ensemble.settings.variables)),
+            {parameters.string(), "", 0});
     }
     // What stands there if this process does not come to its end.
     writeWholeFile(results, "FAIL\n");

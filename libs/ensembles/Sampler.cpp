@@ -3,6 +3,7 @@
 #include "ensembles/Sampler.h"
 
 #include "core/ByteOrderMark.h"
+#include "dictionary/NamesIn.h"
 #include "ensembles/NatafCorrelation.h"
 #include "ensembles/Philox.h"
 #include "ensembles/SobolSequence.h"
@@ -186,11 +187,7 @@ bool Sampler::isUncorrelated(std::size_t variable) const
 /// The index of a variable by its name.
 Eigen::Index Sampler::variableOf(const std::string& wanted, const SourceLocation& place) const
 {
-    std::vector<std::string> names;
-    for (const auto& [name, variable] : variables)
-    {
-        names.push_back(name);
-    }
+    const std::vector<std::string> names = namesIn(variables);
     const auto found = std::find(names.begin(), names.end(), wanted);
     if (found == names.end())
     {

@@ -3,6 +3,7 @@
 #include "ensembles/SearchSettings.h"
 
 #include "dictionary/Expression.h"
+#include "dictionary/NamesIn.h"
 #include "ensembles/Arithmetic.h"
 
 #include <fmt/format.h>
@@ -16,20 +17,6 @@ namespace drystone
 {
 namespace
 {
-
-std::vector<std::string> namesOfValues(const ParameterSearchSettings& settings)
-{
-    std::vector<std::string> names;
-    for (const auto& [name, variable] : settings.variables)
-    {
-        names.push_back(name);
-    }
-    for (const auto& [name, result] : settings.results)
-    {
-        names.push_back(name);
-    }
-    return names;
-}
 
 /// What the algorithm of a stage can not do with the variables and constraints of a search; empty: nothing.
 std::string faultOf(const SearchStage& stage, const ParameterSearchSettings& settings)
@@ -103,11 +90,8 @@ std::string faultOfVariables(const ParameterSearchSettings& settings)
 
 std::string faultOfResults(const ParameterSearchSettings& settings)
 {
-    std::set<std::string> names;
-    for (const auto& [name, variable] : settings.variables)
-    {
-        names.insert(name);
-    }
+    const std::vector<std::string> variables = namesIn(settings.variables);
+    std::set<std::string> names(variables.begin(), variables.end());
     for (const auto& [name, result] : settings.results)
     {
         if (std::string fault = faultOfNextName(name, names); !fault.empty())
@@ -122,15 +106,17 @@ std::string faultOfObjective(const ParameterSearchSettings& settings)
 {
     // Where all are alike any point that meets the constraints is an answer.
     const bool mayBeConstant = !settings.constraints.empty();
-    return (mayBeConstant ? faultOfArithmetic : faultOfDependent)(settings.objective.value,
-                                                                  namesOfValues(settings));
+    return (mayBeConstant ? faultOfArithmetic : faultOfDependent)(
+        settings.objective.value, namesIn(settings.variables, settings.results));
 }
 
 std::string faultOfConstraints(const ParameterSearchSettings& settings)
 {
     for (const auto& [name, constraint] : settings.constraints)
     {
-        if (std::string fault = faultOfDependent(constraint.value, namesOfValues(settings)); !fault.empty())
+        if (std::string fault =
+                faultOfDependent(constraint.value, namesIn(settings.variables, settings.results));
+            !fault.empty())
         {
             return fault;
         }

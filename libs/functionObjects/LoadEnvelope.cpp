@@ -229,6 +229,28 @@ void warnOfPlacesWithoutAnswer(const LimitAnalysisCase<Dim>& structure, std::siz
         std::isfinite(bound) ? fmt::format(", where by the associative law alpha <= {:.6g}", bound) : ""));
 }
 
+/// How many places there are, and at how many of them no load makes the structure collapse.
+std::string placesText(const std::vector<EnvelopePoint>& points)
+{
+    const auto carried = static_cast<std::size_t>(std::count_if(
+        points.begin(), points.end(), [](const EnvelopePoint& point) { return std::isinf(point.alpha); }));
+    return fmt::format("Moving load: {} places{}", points.size(),
+                       carried == 0 ? ""
+                       : carried == points.size()
+                           ? ", at all of them no load makes the structure collapse"
+                           : fmt::format(", at {} of them no load makes the structure collapse", carried));
+}
+
+template<int Dim>
+std::string worstText(const LimitAnalysisCase<Dim>& structure, const EnvelopePoint& worst)
+{
+    std::vector<int> blocks = structure.loads.positions[worst.position].blocks;
+    std::sort(blocks.begin(), blocks.end()); // two axles may spread over the same
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+    return fmt::format("Worst place: {}, on {} {}", pathText(structure, worst),
+                       blocks.size() > 1 ? "blocks" : "block", fmt::join(blocks, " "));
+}
+
 } // namespace
 
 template<int Dim>
@@ -239,47 +261,34 @@ std::vector<std::string> envelopeMeaning(const LimitAnalysisCase<Dim>& structure
     {
         return {};
     }
-    const auto carried = static_cast<std::size_t>(std::count_if(
-        points.begin(), points.end(), [](const EnvelopePoint& point) { return std::isinf(point.alpha); }));
-    std::vector<std::string> sentences{
-        fmt::format("Moving load: {} places{}", points.size(),
-                    carried == 0 ? ""
-                    : carried == points.size()
-                        ? ", at all of them no load makes the structure collapse"
-                        : fmt::format(", at {} of them no load makes the structure collapse", carried))};
-    const std::optional<EnvelopePoint> worst = worstPlace(structure);
-    if (!worst)
+    std::vector<std::string> sentences{placesText(points)};
+    if (const std::optional<EnvelopePoint> worst = worstPlace(structure))
     {
-        return sentences;
+        sentences.push_back(worstText(structure, *worst));
     }
-    std::vector<int> blocks = structure.loads.positions[worst->position].blocks;
-    std::sort(blocks.begin(), blocks.end()); // two axles may spread over the same
-    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
-    sentences.push_back(fmt::format("Worst place: {}, on {} {}", pathText(structure, *worst),
-                                    blocks.size() > 1 ? "blocks" : "block", fmt::join(blocks, " ")));
     return sentences;
 }
 
 template<int Dim>
 void printEnvelope(const LimitAnalysisCase<Dim>& structure)
 {
-    const std::vector<std::string> sentences = envelopeMeaning(structure);
-    if (sentences.empty())
+    const std::vector<EnvelopePoint> points = envelopeOf(structure);
+    if (points.empty())
     {
         return;
     }
     const std::optional<EnvelopePoint> worst = worstPlace(structure);
-    printLine(sentences.front());
+    printLine(placesText(points));
     if (worst)
     {
-        warnOfPlacesWithoutAnswer(structure, envelopeOf(structure).size());
+        warnOfPlacesWithoutAnswer(structure, points.size());
     }
     printPlacesLeftOut(structure.loads);
     if (!worst)
     {
         return;
     }
-    printLine(sentences.back());
+    printLine(worstText(structure, *worst));
     const LoadPosition<Dim>& position = structure.loads.positions[worst->position];
     constexpr double worthSaying = 1e-6;
     if (position.beside > worthSaying)

@@ -4,6 +4,7 @@
 
 #include "contact/SupportPaths.h"
 #include "core/WholeFile.h"
+#include "functionObjects/CollapseProgressLog.h"
 #include "functionObjects/Histories.h"
 #include "functionObjects/LimitAnalysisLog.h"
 #include "functionObjects/LimitAnalysisResults.h"

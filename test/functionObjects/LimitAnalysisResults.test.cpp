@@ -5,6 +5,7 @@
 #include "contact/ClosedAssembly.h"
 #include "core/Error.h"
 #include "core/WholeFile.h"
+#include "functionObjects/CollapseProgressLog.h"
 #include "functionObjects/LimitAnalysisLog.h"
 #include "functionObjects/LimitAnalysisTables.h"
 #include "functionObjects/LoadMeaning.h"

@@ -6,6 +6,7 @@
 #include "assembly/Materials.h"
 #include "core/Log.h"
 #include "effects/EffectList.h"
+#include "functionObjects/CollapseProgressLog.h"
 #include "functionObjects/KeptResults.h"
 #include "functionObjects/LimitAnalysisLog.h"
 #include "functionObjects/LimitAnalysisResults.h"

@@ -27,15 +27,12 @@ constexpr double softerThanStart = 0.05;
 
 } // namespace
 
-/// Where the path is between two of its linear pieces.
+/// How the path goes on from one of its linear pieces to the next.
 template<int Rows, int Forces>
-struct ContactPath<Rows, Forces>::Halt
+struct ContactPath<Rows, Forces>::Heading
 {
-    VectorXd x, w;
-    std::vector<PointState<Forces>> states;
-    double stiffness;
-    double sense;  ///< 1 towards stiffer points, or -1
-    VectorXd rate; ///< of w, by the piece before; empty at the start
+    double sense = 1; ///< 1 towards stiffer points, or -1
+    VectorXd rate;    ///< of w, by the piece before; empty at the start
 };
 
 /// Newton's method on the pieces, where the problem is linear: x and w of the stiffness, to rounding. w by
@@ -74,17 +71,17 @@ double ContactPath<Rows, Forces>::farthestOutside() const
 ///
 ///     dx + A D dw = 0,    dw = w + k0 A'dx,    or    (1 + k0 A D A') dx = -A D w,
 ///
-/// exact at open points of blocks that stay where they are. \param halt where it begins, then where it ends
+/// exact at open points of blocks that stay where they are. \param heading at its begin, then at its end
 /// \param length of t, either way \param farthest t \return whether there is a way on
 template<int Rows, int Forces>
-bool ContactPath<Rows, Forces>::walkStiffening(Halt& halt, double length, double farthest)
+bool ContactPath<Rows, Forces>::walkStiffening(Heading& heading, double length, double farthest)
 {
     const VectorXd change = w;
     VectorXd direction = matrix.solve(-system.forcesOnBodies(forceChange(change)));
     VectorXd rate = change + stiffness * system.closings(direction);
     // A curve that turns back within a piece: the sense in which w goes on is kept.
-    const bool turns = halt.rate.size() > 0 && halt.rate.dot(rate) < 0;
-    double sense = turns ? -halt.sense : halt.sense;
+    const bool turns = heading.rate.size() > 0 && heading.rate.dot(rate) < 0;
+    double sense = turns ? -heading.sense : heading.sense;
     double t = 0;
     Exit last;
     for (;;)
@@ -115,8 +112,7 @@ bool ContactPath<Rows, Forces>::walkStiffening(Halt& halt, double length, double
         }
         last = exit;
     }
-    halt.sense = sense;
-    halt.rate = std::move(rate);
+    heading = {sense, std::move(rate)};
     stiffness *= 1 + t;
     return true;
 }
@@ -138,8 +134,15 @@ bool ContactPath<Rows, Forces>::stiffen(double toStiffness)
 {
     mostPivots = pivots + settings.maximumPivots;
     const double least = softerThanStart * stiffness;
-    Halt halt{x, w, states, stiffness, 1, {}};
-    Halt next = halt;
+    struct Halt
+    {
+        VectorXd x, w;
+        std::vector<PointState<Forces>> states;
+        double stiffness;
+        Heading heading;
+    };
+    Heading heading;
+    Halt halt{x, w, states, stiffness, heading}; // where the last piece began
     double length = firstLength;
     bool isBack = true;
     while (matrix.factorisations < settings.maximumFactorisations && stiffness > least)
@@ -158,7 +161,7 @@ bool ContactPath<Rows, Forces>::stiffen(double toStiffness)
             w = halt.w;
             states = halt.states;
             stiffness = halt.stiffness;
-            next = halt;
+            heading = halt.heading;
             length *= shortened;
             isBack = true;
             continue;
@@ -168,11 +171,10 @@ bool ContactPath<Rows, Forces>::stiffen(double toStiffness)
             findForces();
             return true;
         }
-        halt = {x, w, states, stiffness, next.sense, next.rate};
+        halt = {x, w, states, stiffness, heading};
         length = isBack ? length : std::min(longestLength, 2 * length);
         isBack = false;
-        next = halt;
-        if (!walkStiffening(next, length, toStiffness / stiffness - 1))
+        if (!walkStiffening(heading, length, toStiffness / stiffness - 1))
         {
             return false;
         }
@@ -184,7 +186,7 @@ bool ContactPath<Rows, Forces>::stiffen(double toStiffness)
 
 template void ContactPath<3, 2>::settleOnPieces();
 template double ContactPath<3, 2>::farthestOutside() const;
-template bool ContactPath<3, 2>::walkStiffening(Halt&, double, double);
+template bool ContactPath<3, 2>::walkStiffening(Heading&, double, double);
 template bool ContactPath<3, 2>::stiffen(double);
 
 } // namespace drystone
