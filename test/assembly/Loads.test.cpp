@@ -1,5 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Load vectors against hand calculations.
+#include "../Polygons.h"
+
 #include "assembly/Materials.h"
 #include "assembly/TurnedLoad.h"
 #include "core/Error.h"
@@ -15,10 +17,7 @@ using namespace drystone;
 namespace
 {
 
-Polygon rectangle(double x0, double y0, double x1, double y1)
-{
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
+using test::rectangle;
 
 /// A fixed block first, so that block and free indices differ.
 Assembly<2> twoOnGround()

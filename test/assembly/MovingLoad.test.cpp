@@ -1,5 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Where a moving load meets blocks.
+#include "../Polygons.h"
+
 #include "assembly/MovingLoad.h"
 
 #include "geometry/space/Polyhedron.h"
@@ -16,10 +18,7 @@ using testing::ElementsAre;
 namespace
 {
 
-Polygon rectangle(double x0, double y0, double x1, double y1)
-{
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
+using test::rectangle;
 
 /// Ground, a block of 1 m and one of 2 m height beside each other; ground to the left of them.
 Assembly<2> steps()

@@ -50,13 +50,13 @@ protected:
     std::filesystem::path directory;
 };
 
-const std::string head = "dimensions 3;\nsupports { }\nblocks\n(\n";
+const std::string spaceHead = "dimensions 3;\nsupports { }\nblocks\n(\n";
 const std::string vertices =
     "{ vertices ((0 0 0) (1 0 0) (1 1 0) (0 1 0) (0 0 1) (1 0 1) (1 1 1) (0 1 1));\n";
 
 std::string box(const std::string& faces = "(0 3 2 1)\n(4 5 6 7)\n(0 1 5 4)\n(1 2 6 5)\n(2 3 7 6)\n(3 0 4 7)")
 {
-    return head + vertices + "faces (\n" + faces + "\n); }\n);\n";
+    return spaceHead + vertices + "faces (\n" + faces + "\n); }\n);\n";
 }
 
 TEST_F(SpaceAssemblyFile, ReadsBackBitByBit)
@@ -113,14 +113,14 @@ TEST_F(SpaceAssemblyFile, AVertexNeedsThreeComponents)
 {
     EXPECT_THAT(
         report(
-            head
+            spaceHead
             + "{ vertices ((0 0 0)\n(1 0)\n(1 1 0) (0 1 0)); faces ((0 1 2) (0 1 3) (1 2 3) (0 2 3)); } );"),
         AllOf(HasSubstr("2 numbers, but 3 are expected"), HasSubstr("z (up)"), HasSubstr("line 6")));
 }
 
 TEST_F(SpaceAssemblyFile, KeysAreChecked)
 {
-    EXPECT_THAT(report(head + "{ vertixes ((0 0 0)); faces ((0 1 2)); } );"), HasSubstr("vertices"));
+    EXPECT_THAT(report(spaceHead + "{ vertixes ((0 0 0)); faces ((0 1 2)); } );"), HasSubstr("vertices"));
     EXPECT_THAT(report(box() + "thickness 1;\n"), HasSubstr("thickness"));
     EXPECT_THAT(report("dimensions 3;\nsupports { }\nblocks ();\n"), HasSubstr("no block"));
     EXPECT_THAT(report("dimensions 4;\nsupports { }\nblocks ();\n"), HasSubstr("2 is the plane, 3 is space"));

@@ -34,7 +34,7 @@ ConeColumns<6, 3> standingOn(int body, const Vector3d& arm)
 }
 
 /// Cubes on top of each other, on their corners.
-SpaceConeProgram stackOf(int blocks, double mu)
+SpaceConeProgram cubes(int blocks, double mu)
 {
     SpaceConeProgram program;
     program.bodies = blocks;
@@ -171,7 +171,7 @@ TEST(ContactPathInSpace, ABlockPushedHarderThanFrictionSlidesAlongThePushWithout
     {
         for (const double stiffness : {1e4, 1e8})
         {
-            SpaceConeProgram program = stackOf(1, 0.3);
+            SpaceConeProgram program = cubes(1, 0.3);
             const Vector3d push = 0.5 * Vector3d(std::cos(angle), std::sin(angle), 0);
             program.load.head<3>() += push;
             // Where it acts there is no moment about the joint's level: the block does not tilt.
@@ -200,7 +200,7 @@ TEST(ContactPathInSpace, FollowsRandomStacks)
     long factorisations = 0;
     for (int trial = 0; trial < 200; ++trial)
     {
-        SpaceConeProgram program = stackOf(6, 0.3);
+        SpaceConeProgram program = cubes(6, 0.3);
         for (int body = 0; body < program.bodies; ++body)
         {
             program.load.segment<3>(6 * body) +=
@@ -226,7 +226,7 @@ TEST(ContactPathInSpace, FollowsRandomStacks)
 
 TEST(ContactPathInSpace, TheAssociativeLawIsRefused)
 {
-    const SpaceConeProgram program = stackOf(1, 0.3);
+    const SpaceConeProgram program = cubes(1, 0.3);
     SymbolicAnalysis symbolic;
     EXPECT_THROW(
         (ContactPath<6, 3>(program, nothing(program), {Sliding::associative, 1e6, 1e-12, 100}, symbolic)),

@@ -11,7 +11,7 @@ namespace
 
 /// Bodies of weight 1 on top of each other, each on two points at -1 and 1 of its lower face, with marks that
 /// tell where numbers came from. The first stands on the ground.
-PlaneConeProgram stackOf(int bodies)
+PlaneConeProgram markedStack(int bodies)
 {
     PlaneConeProgram program;
     program.bodies = bodies;
@@ -53,7 +53,7 @@ const std::vector<char> middle{false, true, true, false};
 
 TEST(ProgramPart, WithOthersHeldHasAllPointsOfItsBodies)
 {
-    const PlaneConeProgram whole = stackOf(4);
+    const PlaneConeProgram whole = markedStack(4);
     const ProgramPart<3, 2> part = partWithOthersHeld(whole, middle);
     EXPECT_EQ(part.bodies, (std::vector<int>{1, 2}));
     EXPECT_EQ(part.points, (std::vector<std::size_t>{2, 3, 4, 5, 6, 7}));
@@ -72,7 +72,7 @@ TEST(ProgramPart, WithOthersHeldHasAllPointsOfItsBodies)
 
 TEST(ProgramPart, UnderForcesIsBalancedByThoseOfTheWhole)
 {
-    PlaneConeProgram whole = stackOf(4);
+    PlaneConeProgram whole = markedStack(4);
     whole.strength.assign(whole.contacts.size(), {1, 2, 3});
     const Eigen::VectorXd forces = forcesOfWeight(4);
     ASSERT_LE((applyEquilibrium(whole, forces) - whole.load).lpNorm<Eigen::Infinity>(), 1e-15);
@@ -89,7 +89,7 @@ TEST(ProgramPart, UnderForcesIsBalancedByThoseOfTheWhole)
 
 TEST(ProgramPart, PointsOnTheGroundStayWithTheirBody)
 {
-    const PlaneConeProgram whole = stackOf(2);
+    const PlaneConeProgram whole = markedStack(2);
     const ProgramPart<3, 2> part = partUnderForces(whole, forcesOfWeight(2), {true, false});
     EXPECT_EQ(part.points, (std::vector<std::size_t>{0, 1}));
     EXPECT_DOUBLE_EQ(part.program.load[1], -2); // the other stands on it

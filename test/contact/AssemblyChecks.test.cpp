@@ -1,5 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Every check of checkBlocks has a case that fails it, and only it where that is possible.
+#include "../Polygons.h"
+
 #include "contact/AssemblyChecks.h"
 #include "texture/Arch.h"
 #include "texture/RunningBond.h"
@@ -18,10 +20,7 @@ using testing::IsEmpty;
 namespace
 {
 
-Polygon rectangle(double x0, double y0, double x1, double y1)
-{
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
+using test::rectangle;
 
 /// Free blocks on a ground that is fixed under y = 0.
 Assembly<2> onGround(std::vector<Polygon> outlines)

@@ -1,5 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Joints between blocks of every shape.
+#include "../Polygons.h"
+
 #include "contact/ContactPoint.h"
 #include "contact/Equilibrium.h"
 #include "texture/Courses.h"
@@ -18,10 +20,7 @@ using namespace drystone;
 namespace
 {
 
-Polygon rectangle(double x0, double y0, double x1, double y1)
-{
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
+using test::rectangle;
 
 TEST(ContactPoint, ABlockOnTheGroundTouchesAtItsTwoCornersWithTheNormalIntoIt)
 {

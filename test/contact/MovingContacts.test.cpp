@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Contacts between blocks in motion, judged by separating axes, by their own first-order promise and by
 /// continuity.
+#include "../Polygons.h"
+
 #include "contact/MovingContacts.h"
 #include "contact/Penetration.h"
 #include "texture/RunningBond.h"
@@ -19,12 +21,9 @@ using namespace drystone;
 namespace
 {
 
-using Placements = std::vector<Placement<2>>;
+using test::rectangle;
 
-Polygon rectangle(double x0, double y0, double x1, double y1)
-{
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
+using Placements = std::vector<Placement<2>>;
 
 Assembly<2> assemblyOf(const std::vector<Polygon>& outlines)
 {

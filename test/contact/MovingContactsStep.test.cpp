@@ -2,6 +2,8 @@
 /// Contacts in motion within time steps: a plain Gauss-Seidel stepper, made for these tests alone, shows what
 /// the choice of corners and edges does to velocities, overlaps and energy, and how contacts join along a
 /// path.
+#include "../Polygons.h"
+
 #include "contact/MovingContacts.h"
 #include "contact/Penetration.h"
 
@@ -16,10 +18,7 @@ using namespace drystone;
 namespace
 {
 
-Polygon rectangle(double x0, double y0, double x1, double y1)
-{
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
+using test::rectangle;
 
 constexpr double gravity = 9.81;
 

@@ -1,5 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 // Cells of patches: they stay convex, make up the patch, and share its area out to their vertices.
+#include "../Polygons.h"
+
 #include "contact/space/PatchCells.h"
 
 #include "geometry/PolygonShape.h"
@@ -14,6 +16,8 @@ namespace drystone
 {
 namespace
 {
+
+using test::letterL;
 
 std::vector<ContactPoint<3>> cornersOf(const Polygon& outline, const Vector<3>& normal)
 {
@@ -59,7 +63,6 @@ void expectWhole(const PatchCells& patch, const Polygon& outline)
     }
 }
 
-const Polygon letterL{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
 const Polygon letterE{{0, 0}, {3, 0}, {3, 1},   {1, 1},   {1, 2}, {2.5, 2.2},
                       {2, 3}, {1, 3}, {1, 4.5}, {3, 4.4}, {3, 5}, {0, 5}};
 

@@ -1,5 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Depth of overlaps whose value is known.
+#include "../Polygons.h"
+
 #include "contact/Penetration.h"
 
 #include <gtest/gtest.h>
@@ -11,10 +13,7 @@ using namespace drystone;
 namespace
 {
 
-Polygon rectangle(double x0, double y0, double x1, double y1)
-{
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
+using test::rectangle;
 
 const Polygon notched{{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
 

@@ -1,5 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Joints between polyhedra of every shape.
+#include "../Polygons.h"
+
 #include "contact/ContactPoint.h"
 #include "contact/JointClosure.h"
 #include "contact/space/FacingPatches.h"
@@ -16,6 +18,8 @@ using namespace drystone;
 namespace
 {
 
+using test::letterL;
+
 std::vector<Vector<3>> atHeight(const Polygon& polygon, double z)
 {
     std::vector<Vector<3>> corners;
@@ -31,7 +35,6 @@ Block<3> prism(const Polygon& section, double lower, double upper)
     return {makePrism(atHeight(section, lower), atHeight(section, upper))};
 }
 
-const Polygon letterL{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
 const Polygon letterU{{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
 
 int jointCount(const std::vector<ContactPoint<3>>& points)

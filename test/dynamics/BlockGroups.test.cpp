@@ -40,7 +40,7 @@ void push(DynamicCase<Dim>& scene, double share, double duration)
     scene.schemes.effects.selection = EffectSelection::automatic;
     scene.effectNames.simulated = {"friction", "groundMotion"};
     GroundMotion::Component component;
-    component.acceleration = std::make_shared<SinePulse>(PulseShape{share * scenes::g, duration, 0.02}, 1);
+    component.acceleration = std::make_shared<SinePulse>(PulseShape{share * g, duration, 0.02}, 1);
     setGroundMotion<Dim>(scene.effects, {{component}});
 }
 
@@ -72,7 +72,7 @@ DynamicCase<Dim> columns(int drums, const std::vector<double>& widths, FlowRule 
     }
     else
     {
-        return spaceScenes::sceneOf(std::move(assembly), 1, 0.7, {0, 0, -scenes::g}, flowRule);
+        return spaceScenes::sceneOf(std::move(assembly), 1, 0.7, {0, 0, -g}, flowRule);
     }
 }
 

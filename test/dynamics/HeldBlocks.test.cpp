@@ -17,7 +17,7 @@ using namespace drystone::scenes;
 namespace
 {
 
-constexpr double timeStep = 0.005;
+constexpr double stepOfHeldBlocks = 0.005;
 
 /// A wall of 12 x 12 units with a stone that overhangs its right end, by more than half where it is to fall.
 DynamicCase<2> wallWithStone(double overhang, FlowRule flowRule = FlowRule::associative)
@@ -51,9 +51,9 @@ TEST(HeldBlocks, OnlyTheStoneThatFallsIsSimulatedAndItFallsAsWithEverythingOn)
     for (int step = 0; step < 40; ++step)
     {
         const Motion<2> before = motion;
-        ASSERT_TRUE(advance(scene, motion, timeStep)) << step;
-        verifyStep(scene, before, timeStep, motion);
-        ASSERT_TRUE(advance(everything, reference, timeStep)) << step;
+        ASSERT_TRUE(advance(scene, motion, stepOfHeldBlocks)) << step;
+        verifyStep(scene, before, stepOfHeldBlocks, motion);
+        ASSERT_TRUE(advance(everything, reference, stepOfHeldBlocks)) << step;
         held += !motion.isAwake.empty() ? 1 : 0;
         EXPECT_LE(awakeOf(motion), 40) << step;
     }
@@ -71,7 +71,7 @@ TEST(HeldBlocks, ByCoulombsLawAllBlocksAreSimulatedWhereAnythingMoves)
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < 10; ++step)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep));
+        ASSERT_TRUE(advance(scene, motion, stepOfHeldBlocks));
         EXPECT_TRUE(motion.isAwake.empty());
     }
     EXPECT_LT(motion.state.placements.back().translation.y(), -5e-4);
@@ -127,7 +127,7 @@ TEST(HeldBlocks, AStoneThatStandsNeedsNoStepAtAll)
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < 5; ++step)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep));
+        ASSERT_TRUE(advance(scene, motion, stepOfHeldBlocks));
         EXPECT_EQ(awakeOf(motion), 0);
         EXPECT_FALSE(motion.isAwake.empty());
     }
@@ -139,14 +139,14 @@ TEST(HeldBlocks, AStepThatIsNotSolvedLeavesThemHeld)
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < 3; ++step)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep));
+        ASSERT_TRUE(advance(scene, motion, stepOfHeldBlocks));
     }
     ASSERT_GT(awakeOf(motion), 0);
     ASSERT_FALSE(motion.isAwake.empty());
     const std::vector<char> isAwake = motion.isAwake;
     const std::vector<int> bodies = motion.bodies;
     scene.solution.maximumIterations = 1;
-    ASSERT_FALSE(advance(scene, motion, timeStep));
+    ASSERT_FALSE(advance(scene, motion, stepOfHeldBlocks));
     EXPECT_EQ(motion.isAwake, isAwake);
     EXPECT_EQ(motion.bodies, bodies);
 }
@@ -161,8 +161,8 @@ TEST(HeldBlocks, BlocksThatArePushedWakeUp)
     for (int step = 0; step < 40; ++step)
     {
         const Motion<2> before = motion;
-        ASSERT_TRUE(advance(scene, motion, timeStep)) << step;
-        verifyStep(scene, before, timeStep, motion);
+        ASSERT_TRUE(advance(scene, motion, stepOfHeldBlocks)) << step;
+        verifyStep(scene, before, stepOfHeldBlocks, motion);
         wasHeld = wasHeld || (awakeOf(motion) > 0 && motion.state.time < 0.1);
     }
     EXPECT_TRUE(wasHeld);
@@ -185,8 +185,8 @@ TEST(HeldBlocks, BlocksRestWhileAStoneFliesAndAreSimulatedWhereItHits)
     for (int step = 0; step < 30; ++step)
     {
         const Motion<2> before = motion;
-        ASSERT_TRUE(advance(scene, motion, timeStep)) << step;
-        verifyStep(scene, before, timeStep, motion);
+        ASSERT_TRUE(advance(scene, motion, stepOfHeldBlocks)) << step;
+        verifyStep(scene, before, stepOfHeldBlocks, motion);
         held += !motion.isAwake.empty() && awakeOf(motion) == 1 ? 1 : 0;
         all += motion.isAwake.empty() ? 1 : 0;
     }
@@ -204,7 +204,7 @@ TEST(HeldBlocks, NotWithThetaBelowOne)
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < 10; ++step)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep));
+        ASSERT_TRUE(advance(scene, motion, stepOfHeldBlocks));
         EXPECT_TRUE(motion.isAwake.empty());
     }
 }
@@ -221,8 +221,8 @@ TEST(HeldBlocks, BlocksWithBondsRestWhileOthersFall)
     for (int step = 0; step < 40; ++step)
     {
         const Motion<2> before = motion;
-        ASSERT_TRUE(advance(scene, motion, timeStep)) << step;
-        verifyStep(scene, before, timeStep, motion);
+        ASSERT_TRUE(advance(scene, motion, stepOfHeldBlocks)) << step;
+        verifyStep(scene, before, stepOfHeldBlocks, motion);
         held += !motion.isAwake.empty() && awakeOf(motion) > 0 ? 1 : 0;
     }
     EXPECT_GE(held, 20);

@@ -16,8 +16,6 @@ namespace drystone
 namespace
 {
 
-using scenes::g;
-
 /// Numbers that are the same with every standard library.
 class Draw
 {
@@ -52,7 +50,7 @@ double largestGain(const DynamicCase<2>& scene, const DynamicState<2>& start, do
     return gain / largestKinetic;
 }
 
-Assembly<2> blockOnGround()
+Assembly<2> lowBlockOnGround()
 {
     Assembly<2> assembly = scenes::ground(-20, 20);
     assembly.blocks.push_back(scenes::rectangle(-0.3, 0, 0.6, 0.4));
@@ -63,7 +61,7 @@ TEST(Impact, ABlockThatStrikesObliquelyWithFullRestitutionGainsNoEnergy)
 {
     for (const double timeStep : {4e-3, 1e-3})
     {
-        const DynamicCase<2> scene = scenes::sceneOf(blockOnGround(), {.mu = 0.2, .restitution = 1});
+        const DynamicCase<2> scene = scenes::sceneOf(lowBlockOnGround(), {.mu = 0.2, .restitution = 1});
         DynamicState<2> start = stateAtRest(scene.assembly);
         start.placements[1] = {{0, 0.5}, 0.4};
         start.velocity << -2, -1, 6;
@@ -130,7 +128,7 @@ TEST(Impact, FortyThrowsGainNoEnergy)
         const double restitution = seed % 2 ? 1 : 0.9;
         const FlowRule flowRule = seed % 4 < 2 ? FlowRule::nonAssociative : FlowRule::associative;
         const DynamicCase<2> scene = scenes::sceneOf(
-            blockOnGround(), {.mu = draw(0.05, 1), .flowRule = flowRule, .restitution = restitution});
+            lowBlockOnGround(), {.mu = draw(0.05, 1), .flowRule = flowRule, .restitution = restitution});
         DynamicState<2> start = stateAtRest(scene.assembly);
         start.placements[1] = {{0, draw(0.3, 0.8)}, draw(-1.5, 1.5)};
         start.velocity << draw(-3, 3), draw(-2, 1), draw(-8, 8);
@@ -268,7 +266,7 @@ TEST(Impact, ThrowsOfAllKindsGainNoMoreThanTheToleranceOfGaps)
         // With theta 0.5 what a step leaves of gaps, within contactTolerance, is closed without a loss. With
         // theta 1 points that follow Coulomb's law give way by contactOverlap and come back: the weight sinks
         // and rises by as much.
-        const double sunk = scene.schemes.contactOverlap * scene.blockSize * scenes::g;
+        const double sunk = scene.schemes.contactOverlap * scene.blockSize * g;
         const double kinetic = 0.5 * start.velocity.head<2>().squaredNorm(); // both for a mass of 1
         const double byOverlaps = flowRule == FlowRule::nonAssociative ? sunk / kinetic : 0;
         EXPECT_LT(largestGain(scene, start, 5e-3, 0.5), theta == 1 ? 1e-10 + byOverlaps : 1e-5)

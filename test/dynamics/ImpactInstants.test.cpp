@@ -12,8 +12,6 @@ namespace drystone
 namespace
 {
 
-using scenes::g;
-
 /// When a block dropped flat from 1 m is at rest [s].
 double timeAtRest(const scenes::Settings& settings, double timeStep, double phase)
 {

@@ -16,8 +16,6 @@ namespace drystone
 namespace
 {
 
-using scenes::g;
-
 /// Linear and angular momentum about the origin [kg m/s, kg m/s, kg m2/s].
 Vector<3> momentum(const DynamicCase<2>& scene, const Motion<2>& motion)
 {

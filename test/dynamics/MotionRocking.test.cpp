@@ -11,8 +11,6 @@ namespace drystone
 namespace
 {
 
-using scenes::g;
-
 // Block 0.5 x 2.0 m.
 constexpr double width = 0.5;
 constexpr double height = 2;
@@ -20,7 +18,7 @@ const double radius = 0.5 * std::hypot(width, height);
 const double slenderness = std::atan(width / height);
 const double frequency2 = 3 * g / (4 * radius); // p^2
 
-Assembly<2> blockOnGround()
+Assembly<2> slenderBlockOnGround()
 {
     Assembly<2> assembly = scenes::ground(-4, 4);
     assembly.blocks.push_back(scenes::rectangle(-width / 2, 0, width, height));
@@ -54,7 +52,7 @@ double velocityUpright(double rotation, double angularVelocity)
 /// start: with it the phase of the step in which the impact falls
 double impactRatio(const scenes::Settings& settings, double timeStep, double rotation)
 {
-    const DynamicCase<2> scene = scenes::sceneOf(blockOnGround(), settings);
+    const DynamicCase<2> scene = scenes::sceneOf(slenderBlockOnGround(), settings);
     const double speed = 1;
     Motion<2> motion = startMotion(scene, tilted(scene, rotation, std::copysign(speed, -rotation)));
     const double before = velocityUpright(rotation, speed);
@@ -119,7 +117,7 @@ TEST(Rocking, WithTheTrapezoidalRuleSoItDoesAtLongSteps)
 /// Four times the time from release, at half the critical angle, to upright.
 double period(const scenes::Settings& settings, double timeStep, double side = 1)
 {
-    const DynamicCase<2> scene = scenes::sceneOf(blockOnGround(), settings);
+    const DynamicCase<2> scene = scenes::sceneOf(slenderBlockOnGround(), settings);
     Motion<2> motion = startMotion(scene, tilted(scene, side * slenderness / 2, 0));
     while (motion.state.time < 1)
     {
@@ -215,7 +213,7 @@ enum class Verdict
 
 Verdict verdictAfter(const scenes::Settings& settings, std::shared_ptr<const GroundAcceleration> pulse)
 {
-    DynamicCase<2> scene = scenes::sceneOf(blockOnGround(), settings);
+    DynamicCase<2> scene = scenes::sceneOf(slenderBlockOnGround(), settings);
     const double still = pulse->end();
     scenes::shake(scene, std::move(pulse));
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));

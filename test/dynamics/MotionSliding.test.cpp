@@ -14,8 +14,6 @@ namespace drystone
 namespace
 {
 
-using scenes::g;
-
 Assembly<2> blockOnGround()
 {
     Assembly<2> assembly = scenes::ground(-4, 6);

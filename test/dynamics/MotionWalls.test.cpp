@@ -28,7 +28,7 @@ DynamicCase<2> wall(int number, double share, const scenes::Settings& settings)
                              + std::to_string(number) + "/system/blockTextureDict";
     DynamicCase<2> scene = scenes::sceneOf(makeStructure(Dictionary::readFile(file)), settings);
     scenes::shake(scene, std::make_shared<ConstantAcceleration>(
-                             -share * multipliers[static_cast<std::size_t>(number - 1)] * scenes::g));
+                             -share * multipliers[static_cast<std::size_t>(number - 1)] * g));
     return scene;
 }
 
@@ -42,8 +42,6 @@ double largestDisplacement(const Motion<2>& motion)
     return largest;
 }
 
-constexpr double timeStep = 0.002;
-
 class PaperWall : public testing::TestWithParam<int>
 {
 };
@@ -55,7 +53,7 @@ TEST_P(PaperWall, StandsStillAtOneThousandthBelowItsMultiplier)
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < 500; ++step)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep)) << "step " << step;
+        ASSERT_TRUE(advance(scene, motion, wallStep)) << "step " << step;
     }
     EXPECT_LT(largestDisplacement(motion), 1e-9);
 }
@@ -71,7 +69,7 @@ TEST_P(PaperWall, StandsStillBelowItsMultiplierAtAnyTolerance)
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         for (int step = 0; step < 50; ++step)
         {
-            ASSERT_TRUE(advance(scene, motion, timeStep)) << "tolerance " << tolerance << " step " << step;
+            ASSERT_TRUE(advance(scene, motion, wallStep)) << "tolerance " << tolerance << " step " << step;
         }
         EXPECT_EQ(largestDisplacement(motion), 0) << "tolerance " << tolerance;
     }
@@ -82,14 +80,14 @@ TEST_P(PaperWall, MovesAtOneThousandthAbove)
     const DynamicCase<2> scene =
         wall(GetParam(), 1.001, {.mu = 0.65, .flowRule = FlowRule::associative, .tolerance = 1e-12});
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-    while (motion.state.time < 0.2 - 0.5 * timeStep)
+    while (motion.state.time < 0.2 - 0.5 * wallStep)
     {
         // At the onset a step of full length may not reach 1e-12; contactDynamics then halves it, too.
-        double length = timeStep;
+        double length = wallStep;
         while (!advance(scene, motion, length))
         {
             length /= 2;
-            ASSERT_GT(length, timeStep / 1000) << "at " << motion.state.time << " s";
+            ASSERT_GT(length, wallStep / 1000) << "at " << motion.state.time << " s";
         }
     }
     EXPECT_GT(largestDisplacement(motion), 1e-6);
@@ -107,7 +105,7 @@ TEST_P(PaperWall, MovesByCoulombsLawJustAbove)
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         for (int step = 0; step < 3; ++step)
         {
-            ASSERT_TRUE(advance(scene, motion, timeStep)) << "share " << share << " step " << step;
+            ASSERT_TRUE(advance(scene, motion, wallStep)) << "share " << share << " step " << step;
         }
         // Wall 1 moves least, by 7e-8 to 12e-8 m: a step ends when Coulomb's law is met to a part of what it
         // changes. By the associative law it moves by 5e-10 m.
@@ -123,7 +121,7 @@ TEST_P(PaperWall, FallsWithoutBlocksEnteringEachOtherAndItsEnergyIsAccountedFor)
     double factorisations = 0;
     for (int step = 0; step < 500; ++step)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep)) << "step " << step;
+        ASSERT_TRUE(advance(scene, motion, wallStep)) << "step " << step;
         // 1.4e-10 in the first steps, in which blocks move by 1e-5 m.
         EXPECT_LT(scenes::relativeImbalance(motion.energy), 3e-10) << "step " << step;
         factorisations += motion.residuals.factorisations;
@@ -147,7 +145,7 @@ double factorisationsOf(int number, double restitution)
     double factorisations = 0;
     for (int step = 0; step < 100; ++step)
     {
-        EXPECT_TRUE(advance(scene, motion, timeStep)) << "step " << step;
+        EXPECT_TRUE(advance(scene, motion, wallStep)) << "step " << step;
         factorisations += motion.residuals.factorisations;
     }
     return factorisations;
@@ -170,7 +168,7 @@ void collapse(const scenes::Settings& settings, int steps, std::vector<int>& pro
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < steps; ++step)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep)) << "step " << step;
+        ASSERT_TRUE(advance(scene, motion, wallStep)) << "step " << step;
         EXPECT_LT(scenes::relativeImbalance(motion.energy), 1e-6) << "step " << step;
         programs.push_back(motion.residuals.programs);
     }
@@ -206,9 +204,9 @@ TEST(FallingWall, CoulombsLawIsMetOrMissedByLittleInEveryStep)
     Eigen::VectorXd velocity = motion.state.velocity;
     for (int step = 0; step < 125; ++step)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep)) << "step " << step;
+        ASSERT_TRUE(advance(scene, motion, wallStep)) << "step " << step;
         const double change = (motion.state.velocity - velocity).lpNorm<Eigen::Infinity>();
-        EXPECT_LE(motion.residuals.flowError, 0.05 * timeStep * change) << "step " << step;
+        EXPECT_LE(motion.residuals.flowError, 0.05 * wallStep * change) << "step " << step;
         velocity = motion.state.velocity;
     }
 }
@@ -226,13 +224,13 @@ TEST(WallUnderARecord, IsSolvedToTheLastDigitsInEveryStep)
     }
     RecordMotion groundRecord;
     groundRecord.file = record.string();
-    groundRecord.peakAcceleration = 0.2 * scenes::g;
+    groundRecord.peakAcceleration = 0.2 * g;
     DynamicCase<2> scene = wall(6, 0, {.mu = 0.65, .flowRule = FlowRule::associative, .tolerance = 1e-12});
     setGroundMotion<2>(scene.effects, {{{recordedAcceleration(groundRecord, ""), Eigen::Vector3d::UnitX()}}});
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < 120; ++step)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep)) << "at " << motion.state.time << " s";
+        ASSERT_TRUE(advance(scene, motion, wallStep)) << "at " << motion.state.time << " s";
     }
 }
 
@@ -256,17 +254,17 @@ Assembly<2> mirrored(Assembly<2> assembly)
 TEST(WallByCoulombsLaw, FallsLikeItsMirrorImageWithFewFactorisations)
 {
     DynamicCase<2> scene = wall(3, 0, {.mu = 0.65, .flowRule = FlowRule::nonAssociative, .tolerance = 1e-9});
-    scenes::shake(scene, std::make_shared<ConstantAcceleration>(-0.55 * scenes::g));
+    scenes::shake(scene, std::make_shared<ConstantAcceleration>(-0.55 * g));
     DynamicCase<2> image = scene;
     setStructure(image, mirrored(scene.assembly), std::vector<double>(scene.assembly.blocks.size(), 1800));
-    scenes::shake(image, std::make_shared<ConstantAcceleration>(0.55 * scenes::g));
+    scenes::shake(image, std::make_shared<ConstantAcceleration>(0.55 * g));
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     Motion<2> ofImage = startMotion(image, stateAtRest(image.assembly));
     std::vector<int> factorisations;
     for (int step = 0; step < 25; ++step)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep)) << "step " << step;
-        ASSERT_TRUE(advance(image, ofImage, timeStep)) << "step " << step;
+        ASSERT_TRUE(advance(scene, motion, wallStep)) << "step " << step;
+        ASSERT_TRUE(advance(image, ofImage, wallStep)) << "step " << step;
         factorisations.push_back(motion.residuals.factorisations);
         for (const ContactPoint<2>& point : motion.points)
         {
@@ -298,8 +296,8 @@ TEST(WallByCoulombsLaw, FallsAlikeWithItsBlocksInAnotherOrder)
     Motion<2> ofOther = startMotion(other, stateAtRest(other.assembly));
     for (int step = 0; step < 50; ++step)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep)) << "step " << step;
-        ASSERT_TRUE(advance(other, ofOther, timeStep)) << "step " << step;
+        ASSERT_TRUE(advance(scene, motion, wallStep)) << "step " << step;
+        ASSERT_TRUE(advance(other, ofOther, wallStep)) << "step " << step;
     }
     double difference = 0;
     const std::size_t blocks = motion.state.placements.size();
@@ -342,7 +340,7 @@ TEST_P(PaperWall, TakesItsFirstStepWithFewFactorisations)
         const DynamicCase<2> scene =
             wall(GetParam(), 1.1, {.mu = 0.65, .flowRule = flowRule, .tolerance = 1e-9});
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-        ASSERT_TRUE(advance(scene, motion, timeStep));
+        ASSERT_TRUE(advance(scene, motion, wallStep));
         const bool isLong = GetParam() == 6 && flowRule == FlowRule::nonAssociative;
         EXPECT_LE(motion.residuals.factorisations, isLong ? 500 : 36);
     }
@@ -382,7 +380,7 @@ TEST(WallByCoulombsLaw, IsFollowedThroughAFastCollapseWithFewFactorisations)
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         for (int step = 0; step < 300; ++step)
         {
-            ASSERT_TRUE(advance(scene, motion, timeStep)) << "wall " << number << " step " << step;
+            ASSERT_TRUE(advance(scene, motion, wallStep)) << "wall " << number << " step " << step;
             factorisations += motion.residuals.factorisations;
         }
     }
@@ -400,7 +398,7 @@ TEST(WallByCoulombsLaw, IsFollowedThroughItsCollapseWithoutPrograms)
     int factorisations = 0;
     for (int step = 0; step < 500; ++step)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep)) << "step " << step;
+        ASSERT_TRUE(advance(scene, motion, wallStep)) << "step " << step;
         programs += motion.residuals.programs;
         factorisations += motion.residuals.factorisations;
     }
@@ -423,7 +421,7 @@ TEST(RubbleByCoulombsLaw, IsFollowedAlsoWhereStagesDoNotArrive)
     int byPrograms = 0;
     for (int step = 0; step < 50; ++step)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep)) << "step " << step;
+        ASSERT_TRUE(advance(scene, motion, wallStep)) << "step " << step;
         factorisations += motion.residuals.factorisations;
         byPrograms += motion.residuals.programs > 1;
     }
@@ -435,14 +433,14 @@ TEST(RubbleByCoulombsLaw, IsFollowedAlsoWhereStagesDoNotArrive)
 /// took more than two minutes, most of them in attempts that came to nothing.
 TEST(WallUnderAnAbsurdAcceleration, IsSolvedOrGivenUpWithinTheWorkAllowed)
 {
-    DynamicCase<2> scene = wall(6, 1e6 / (multipliers[5] * scenes::g),
+    DynamicCase<2> scene = wall(6, 1e6 / (multipliers[5] * g),
                                 {.mu = 0.65, .flowRule = FlowRule::associative, .tolerance = 1e-9});
     scene.solution.maximumFactorisations = 1000; // a fifth of the default, so that it is soon shown
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     TimeControls controls;
-    controls.deltaT = timeStep;
-    controls.endTime = 25 * timeStep;
-    Time time(controls, {0, timeStep});
+    controls.deltaT = wallStep;
+    controls.endTime = 25 * wallStep;
+    Time time(controls, {0, wallStep});
     bool isSolved = true;
     double before = 0;
     while (isSolved && time.loop())

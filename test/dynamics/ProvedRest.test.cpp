@@ -23,7 +23,6 @@ using namespace drystone::scenes;
 namespace
 {
 
-constexpr double timeStep = 0.002;
 constexpr double multiplier = 0.642859; // of the paper's wall 1, pushed to the right
 
 DynamicCase<2> paperWall(const Settings& settings = {.mu = 0.65, .flowRule = FlowRule::associative})
@@ -52,7 +51,7 @@ bool standsAsBuilt(const Motion<Dim>& motion)
 /// The certificate of rest with the forces of a motion.
 double certificateOfRest(const DynamicCase<2>& scene, Motion<2>& motion)
 {
-    Step<2> step(scene, motion, timeStep, {});
+    Step<2> step(scene, motion, wallStep, {});
     findContacts(step);
     assemble(step);
     contribute(step);
@@ -69,7 +68,7 @@ TEST(ProvedRest, AWallUnderARecordBelowItsMultiplierTakesThreeProgramsForAllStep
     double worst = 0;
     for (int step = 0; step < 300; ++step)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep));
+        ASSERT_TRUE(advance(scene, motion, wallStep));
         worst = std::max({worst, motion.residuals.primalResidual, motion.residuals.dualResidual,
                           motion.residuals.dualityGap});
     }
@@ -88,7 +87,7 @@ TEST(ProvedRest, ItsForcesAreAdmissibleAndBalanceTheLoadOfTheStep)
     push(scene, 0.8);
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     EXPECT_GT(certificateOfRest(scene, motion), 0.1); // no forces yet
-    ASSERT_TRUE(advance(scene, motion, timeStep));
+    ASSERT_TRUE(advance(scene, motion, wallStep));
     EXPECT_LE(certificateOfRest(scene, motion), scene.solution.tolerance);
 }
 
@@ -104,7 +103,7 @@ TEST(ProvedRest, TheMarginOfWhatTheStructureCarriesIsLeftToPrograms)
                 scene.schemes.effects.margin = margin;
                 push(scene, 1 - margin + side * below);
                 Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-                ASSERT_TRUE(advance(scene, motion, timeStep));
+                ASSERT_TRUE(advance(scene, motion, wallStep));
                 EXPECT_EQ(motion.effectUse.atRest, side < 0 ? 1 : 0) << margin << " " << side * below;
                 EXPECT_EQ(standsAsBuilt(motion), side < 0 || margin > 0) << margin << " " << side * below;
             }
@@ -125,7 +124,7 @@ TEST(ProvedRest, AboveTheMultiplierTheWallMovesAsWithEverythingOn)
             Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
             for (int step = 0; step < 40; ++step)
             {
-                ASSERT_TRUE(advance(scene, motion, timeStep));
+                ASSERT_TRUE(advance(scene, motion, wallStep));
             }
             EXPECT_EQ(motion.effectUse.atRest > 0, selection == EffectSelection::automatic);
             ends.push_back(motion.state);
@@ -148,8 +147,8 @@ TEST(ProvedRest, WithoutFrictionAPushedBlockSlidesWhateverTheMargin)
         scene.schemes.effects.margin = margin;
         shake(scene, std::make_shared<ConstantAcceleration>(3));
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-        ASSERT_TRUE(advance(scene, motion, timeStep));
-        EXPECT_NEAR(motion.state.velocity[0], -3 * timeStep, 1e-9);
+        ASSERT_TRUE(advance(scene, motion, wallStep));
+        EXPECT_NEAR(motion.state.velocity[0], -3 * wallStep, 1e-9);
     }
 }
 
@@ -159,7 +158,7 @@ TEST(ProvedRest, AsGivenKnowsNoProofs)
     scene.schemes.effects.selection = EffectSelection::asGiven;
     push(scene, 0.5);
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-    ASSERT_TRUE(advance(scene, motion, timeStep));
+    ASSERT_TRUE(advance(scene, motion, wallStep));
     EXPECT_EQ(motion.effectUse.atRest, 0);
     EXPECT_FALSE(motion.restProof);
 }
@@ -169,13 +168,13 @@ TEST(ProvedRest, EffectsThatActAtRestAreNeverLeftOut)
     DynamicCase<2> scene = paperWall();
     scene.effects.push_back(std::make_shared<JointElasticity<2>>(Elasticity{1e8, 5e7}));
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-    ASSERT_TRUE(advance(scene, motion, timeStep));
+    ASSERT_TRUE(advance(scene, motion, wallStep));
     EXPECT_EQ(motion.effectUse.atRest, 0);
 
     scene = paperWall();
     scene.effects.push_back(std::make_shared<MassDamping<2>>(Damping{0.1})); // none at rest
     motion = startMotion(scene, stateAtRest(scene.assembly));
-    ASSERT_TRUE(advance(scene, motion, timeStep));
+    ASSERT_TRUE(advance(scene, motion, wallStep));
     EXPECT_EQ(motion.effectUse.atRest, 1);
 }
 
@@ -198,7 +197,7 @@ TEST(ProvedRest, AnElasticBlockThatHasSunkRestsByProofUntilTheGroundMoves)
         for (int step = 0; step < 1600; ++step)
         {
             provedBefore = step == 1499 ? motion.effectUse.atRest : provedBefore;
-            ASSERT_TRUE(advance(scene, motion, timeStep));
+            ASSERT_TRUE(advance(scene, motion, wallStep));
         }
         const bool isAutomatic = selection == EffectSelection::automatic;
         EXPECT_EQ(provedBefore > 400, isAutomatic) << provedBefore;
@@ -228,7 +227,7 @@ TEST(ProvedRest, ABlockRestsByProofWhileItsSupportStandsStill)
     {
         for (int step = 0; step < steps; ++step)
         {
-            ASSERT_TRUE(advance(scene, motion, timeStep));
+            ASSERT_TRUE(advance(scene, motion, wallStep));
         }
         proved.push_back(motion.effectUse.atRest);
     }
@@ -249,7 +248,7 @@ TEST(ProvedRest, WhatFallsFalls)
         DynamicCase<2> scene = sceneOf(std::move(assembly), {});
         scene.schemes.effects.selection = EffectSelection::automatic;
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-        ASSERT_TRUE(advance(scene, motion, timeStep));
+        ASSERT_TRUE(advance(scene, motion, wallStep));
         EXPECT_EQ(standsAsBuilt(motion), height == 0);
         EXPECT_EQ(motion.effectUse.atRest, height == 0 ? 1 : 0);
     }
@@ -266,7 +265,7 @@ TEST(ProvedRest, ABlockThatHasComeToRestElsewhereRestsThereByProof)
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < 300; ++step)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep));
+        ASSERT_TRUE(advance(scene, motion, wallStep));
     }
     EXPECT_LT(motion.state.placements[1].translation.x(), -0.01);
     EXPECT_TRUE(motion.state.velocity.isZero(0));
@@ -301,7 +300,7 @@ TEST(ProvedRest, LoadsInSeveralDirectionsAreProvedUpToTheFrictionCone)
             }
             setGroundMotion<2>(scene.effects, ofGround);
             Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-            ASSERT_TRUE(advance(scene, motion, timeStep));
+            ASSERT_TRUE(advance(scene, motion, wallStep));
             const bool stands = size * std::abs(std::cos(angle)) < mu * (g + size * std::sin(angle));
             EXPECT_EQ(standsAsBuilt(motion), stands) << angle << " " << size;
             EXPECT_LE(motion.effectUse.atRest, stands ? 1 : 0) << angle << " " << size;
@@ -322,10 +321,10 @@ TEST(ProvedRest, AProofThatIsMadeAnewGivesTheSameForces)
     {
         Motion<2> anew = motion;
         anew.restProof.reset();
-        ASSERT_TRUE(advance(scene, motion, timeStep));
+        ASSERT_TRUE(advance(scene, motion, wallStep));
         if (step % 50 == 7)
         {
-            ASSERT_TRUE(advance(scene, anew, timeStep));
+            ASSERT_TRUE(advance(scene, anew, wallStep));
             EXPECT_EQ(motion.contactForces, anew.contactForces) << step;
             EXPECT_EQ(anew.effectUse.atRest, motion.effectUse.atRest);
         }

@@ -136,7 +136,6 @@ Assembly<Dim> towers(std::mt19937& random)
 template<int Dim>
 DynamicCase<Dim> scene(std::mt19937& random, Assembly<Dim> (*structure)(std::mt19937&) = wall<Dim>)
 {
-    constexpr double g = 9.81;
     DynamicCase<Dim> scene;
     Assembly<Dim> assembly = structure(random);
     const std::vector<double> densities(assembly.blocks.size(), 2000);

@@ -16,8 +16,6 @@
 namespace drystone::scenes
 {
 
-inline constexpr double g = 9.81;
-
 /// What the tests vary.
 struct Settings
 {

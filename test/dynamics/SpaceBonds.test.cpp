@@ -80,7 +80,7 @@ TEST(SpaceBonds, BricksThatHoldAndBreakMoveAsInThePlane)
                     stack(),
                     {.theta = theta, .mu = 0.4, .flowRule = flowRule, .tolerance = 1e-10, .density = 2000});
                 DynamicCase<3> solid =
-                    spaceScenes::sceneOf(extruded(stack()), theta, 0.4, {0, 0, -spaceScenes::g}, flowRule);
+                    spaceScenes::sceneOf(extruded(stack()), theta, 0.4, {0, 0, -g}, flowRule);
                 bond(flat, 3000, 3000);
                 bond(solid, 3000, 3000);
                 pushSideways(flat, acceleration);
@@ -175,8 +175,7 @@ TEST(SpaceBonds, AnAngleOfTwoBlocksFallsAsOneBlock)
             };
             const auto solid = [&](const std::vector<Block<2>>& blocks)
             {
-                DynamicCase<3> scene =
-                    spaceScenes::sceneOf(extruded(thrown(blocks)), theta, 0.5, {0, 0, -spaceScenes::g});
+                DynamicCase<3> scene = spaceScenes::sceneOf(extruded(thrown(blocks)), theta, 0.5, {0, 0, -g});
                 if (restitution > 0)
                 {
                     scene.contact.restitution = Restitution{restitution};
@@ -198,7 +197,7 @@ TEST(SpaceBonds, ElasticJointsRestInTheirSettlement)
     DynamicCase<2> scene = scenes::sceneOf(assembly, {.tolerance = 1e-10, .density = 2000});
     scene.effects.push_back(std::make_shared<JointElasticity<2>>(Elasticity{stiffness, stiffness}));
     DynamicState<2> start = stateAtRest(scene.assembly);
-    const double settlement = 0.4 * 2000 * scenes::g / (2 * stiffness);
+    const double settlement = 0.4 * 2000 * g / (2 * stiffness);
     start.placements[1].translation.y() = -settlement;
     Motion<2> motion = startMotion(scene, start);
     for (int step = 0; step < 100; ++step)
@@ -216,7 +215,7 @@ TEST(SpaceBonds, ElasticJointsGiveWayAsInThePlane)
     for (const double acceleration : {1.0, 6.0})
     {
         DynamicCase<2> flat = scenes::sceneOf(stack(), {.mu = 0.4, .tolerance = 1e-10, .density = 2000});
-        DynamicCase<3> solid = spaceScenes::sceneOf(extruded(stack()), 1, 0.4, {0, 0, -spaceScenes::g});
+        DynamicCase<3> solid = spaceScenes::sceneOf(extruded(stack()), 1, 0.4, {0, 0, -g});
         // Two points of the plane are four of space.
         flat.effects.push_back(std::make_shared<JointElasticity<2>>(Elasticity{2e7, 2e7}));
         solid.effects.push_back(std::make_shared<JointElasticity<3>>(Elasticity{1e7, 1e7}));
@@ -241,7 +240,7 @@ TEST(SpaceBonds, SoftJointsAreEnteredAsInThePlane)
     }
     assembly.blocks.push_back(box);
     DynamicCase<2> flat = scenes::sceneOf(assembly, {.mu = 0.4, .tolerance = 1e-10, .density = 2000});
-    DynamicCase<3> solid = spaceScenes::sceneOf(extruded(assembly), 1, 0.4, {0, 0, -spaceScenes::g});
+    DynamicCase<3> solid = spaceScenes::sceneOf(extruded(assembly), 1, 0.4, {0, 0, -g});
     // A point of the plane is two of space.
     flat.effects.push_back(std::make_shared<JointElasticity<2>>(Elasticity{2e6, 2e6}));
     solid.effects.push_back(std::make_shared<JointElasticity<3>>(Elasticity{1e6, 1e6}));

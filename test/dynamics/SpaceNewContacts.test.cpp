@@ -106,8 +106,8 @@ void expectAsInThePlane(double theta, double restitution)
         const DynamicCase<2> flat = scenes::sceneOf(
             planeScene.assembly,
             {.theta = theta, .mu = planeScene.mu, .restitution = restitution, .tolerance = 1e-10});
-        DynamicCase<3> solid = spaceScenes::sceneOf(extruded(planeScene.assembly), theta, planeScene.mu,
-                                                    {0, 0, -spaceScenes::g});
+        DynamicCase<3> solid =
+            spaceScenes::sceneOf(extruded(planeScene.assembly), theta, planeScene.mu, {0, 0, -g});
         if (restitution > 0)
         {
             solid.contact.restitution = Restitution{restitution};
@@ -147,8 +147,8 @@ TEST(SpaceNewContacts, ScenesOfThePlaneReboundAsThere)
 // From 0.1 m, half of the velocity is left: a quarter of the height.
 TEST(SpaceNewContacts, ABoxThatFallsFlatRebounds)
 {
-    DynamicCase<3> scene = spaceScenes::sceneOf(spaceScenes::boxOnGround({0.4, 0.3, 0.2}, 0.3), 0.5, 0.6,
-                                                {0, 0, -spaceScenes::g});
+    DynamicCase<3> scene =
+        spaceScenes::sceneOf(spaceScenes::boxOnGround({0.4, 0.3, 0.2}, 0.3), 0.5, 0.6, {0, 0, -g});
     scene.contact.restitution = Restitution{0.5};
     DynamicState<3> state = stateAtRest(scene.assembly);
     state.placements[1].translation.z() = 0.1;
@@ -257,9 +257,8 @@ Assembly<3> stonesAboveAPit(unsigned seed, Stone stone)
 void fallIntoAPit(unsigned seed, double theta = 1, double restitution = 0, Stone stone = stoneAt)
 {
     constexpr double timeStep = 2e-3;
-    DynamicCase<3> scene =
-        spaceScenes::sceneOf(stonesAboveAPit(seed, stone), theta, 0.5, {0, 0, -spaceScenes::g},
-                             seed % 2 ? FlowRule::associative : FlowRule::nonAssociative);
+    DynamicCase<3> scene = spaceScenes::sceneOf(stonesAboveAPit(seed, stone), theta, 0.5, {0, 0, -g},
+                                                seed % 2 ? FlowRule::associative : FlowRule::nonAssociative);
     if (restitution > 0)
     {
         scene.contact.restitution = Restitution{restitution};
@@ -350,7 +349,7 @@ TEST(SpaceNewContacts, AHookThatFallsIntoAHookHangsAtRest)
     Assembly<2> assembly;
     assembly.supports.push_back({"hook", "hook"});
     assembly.blocks = {fixed, hook};
-    const DynamicCase<3> scene = spaceScenes::sceneOf(extruded(assembly), 1, 0.6, {0, 0, -spaceScenes::g});
+    const DynamicCase<3> scene = spaceScenes::sceneOf(extruded(assembly), 1, 0.6, {0, 0, -g});
     Motion<3> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 1; step <= 300; ++step)
     {
@@ -376,8 +375,7 @@ TEST(SpaceNewContacts, BlocksOfUnevenJointsStandAsTheyAreBuilt)
             spaceScenes::boxBlock({0, 0, 0}, {1, 1, 1 + off}), spaceScenes::boxBlock({-1, 0, 1}, {off, 1, 2}),
             spaceScenes::boxBlock({off, 0, 1}, {1, 1, 2})};
         closeJoints(assembly);
-        const DynamicCase<3> scene =
-            spaceScenes::sceneOf(assembly, 1, 0.7, {0, 0, -spaceScenes::g}, flowRule);
+        const DynamicCase<3> scene = spaceScenes::sceneOf(assembly, 1, 0.7, {0, 0, -g}, flowRule);
         Motion<3> motion = startMotion(scene, stateAtRest(scene.assembly));
         for (int step = 0; step < 20; ++step)
         {
@@ -456,7 +454,7 @@ TEST(SpaceNewContacts, BoxesThrownAtEachOtherStepSoFarAsTheyCanBeFollowed)
 TEST(SpaceNewContacts, ATiltedBoxFallsOnItsSide)
 {
     const DynamicCase<3> scene =
-        spaceScenes::sceneOf(spaceScenes::boxOnGround({0.3, 0.3, 1}, 0), 1, 0.6, {0, 0, -spaceScenes::g});
+        spaceScenes::sceneOf(spaceScenes::boxOnGround({0.3, 0.3, 1}, 0), 1, 0.6, {0, 0, -g});
     DynamicState<3> state = stateAtRest(scene.assembly);
     const Vector<3> rotation(0, 0.35, 0);
     const Vector<3> arm = scene.blocks[1].centroid - Vector<3>(0.15, 0, 0);
@@ -492,7 +490,7 @@ TEST(SpaceNewContacts, AHexagonalPrismRollsFromFaceToFace)
         corner.y() = 1;
     }
     assembly.blocks[1].shape = makePrism(back, front);
-    const DynamicCase<3> scene = spaceScenes::sceneOf(assembly, 0.5, 2, {0, 0, -spaceScenes::g});
+    const DynamicCase<3> scene = spaceScenes::sceneOf(assembly, 0.5, 2, {0, 0, -g});
     DynamicState<3> state = stateAtRest(scene.assembly);
     constexpr double start = 2.2; // about an edge; 1.93 rad/s just reach the top
     state.velocity << start * side * std::sqrt(0.75), 0, start * side / 2, 0, start, 0;
@@ -537,7 +535,7 @@ TEST(SpaceNewContacts, AnEdgeFallsAcrossAnEdge)
     {
         vertex = turned(Vector<3>(0, std::numbers::pi / 4, 0), vertex) + Vector<3>(0, 0, height);
     }
-    const DynamicCase<3> scene = spaceScenes::sceneOf(assembly, 1, 0.5, {0, 0, -spaceScenes::g});
+    const DynamicCase<3> scene = spaceScenes::sceneOf(assembly, 1, 0.5, {0, 0, -g});
     Motion<3> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < 100; ++step)
     {
@@ -546,6 +544,6 @@ TEST(SpaceNewContacts, AnEdgeFallsAcrossAnEdge)
     ASSERT_EQ(motion.points.size(), 1u);
     EXPECT_NEAR(motion.points[0].normal.z(), -1, 1e-9) << "into the lower block";
     EXPECT_LE((motion.points[0].position - Vector<3>(0, 0, 0.1 * std::sqrt(2.0))).norm(), 1e-6);
-    EXPECT_NEAR(motion.contactForces[0][0], scene.mass[0] * spaceScenes::g, 1e-3 * scene.mass[0]);
+    EXPECT_NEAR(motion.contactForces[0][0], scene.mass[0] * g, 1e-3 * scene.mass[0]);
     EXPECT_NEAR(motion.state.placements[1].translation.z(), -0.01, 1e-6);
 }

@@ -10,8 +10,6 @@
 namespace drystone::spaceScenes
 {
 
-inline constexpr double g = 9.81;
-
 inline Block<3> boxBlock(const Vector<3>& lower, const Vector<3>& upper, int support = -1)
 {
     Block<3> block;

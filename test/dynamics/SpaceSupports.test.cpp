@@ -57,7 +57,7 @@ TEST(SpaceSupports, BricksOnATableThatMovesMoveAsInThePlane)
     for (const double theta : {1.0, 0.5})
     {
         DynamicCase<2> flat = scenes::sceneOf(assembly, {.theta = theta, .mu = 0.4, .tolerance = 1e-10});
-        DynamicCase<3> solid = spaceScenes::sceneOf(extruded(assembly), theta, 0.4, {0, 0, -spaceScenes::g});
+        DynamicCase<3> solid = spaceScenes::sceneOf(extruded(assembly), theta, 0.4, {0, 0, -g});
         move<2>(flat, {1, 0}, velocity, {0.1, -0.1}, 1, spin);
         move<3>(solid, {1, 0, 0}, velocity, {0.1, 0.3, -0.1}, {0, -1, 0}, spin);
         Motion<2> inPlane = startMotion(flat, stateAtRest(flat.assembly));
@@ -87,7 +87,7 @@ TEST(SpaceSupports, BricksThatHaveStoppedSlidingMoveWithTheTable)
     for (const double theta : {0.5, 0.7})
     {
         DynamicCase<2> flat = scenes::sceneOf(assembly, {.theta = theta, .mu = 0.4, .tolerance = 1e-10});
-        DynamicCase<3> solid = spaceScenes::sceneOf(extruded(assembly), theta, 0.4, {0, 0, -spaceScenes::g});
+        DynamicCase<3> solid = spaceScenes::sceneOf(extruded(assembly), theta, 0.4, {0, 0, -g});
         move<2>(flat, {1, 0}, velocity, {0, 0}, 1, {{0, 0}, {1, 0}});
         move<3>(solid, {1, 0, 0}, velocity, {0, 0, 0}, {0, -1, 0}, {{0, 0}, {1, 0}});
         Motion<2> inPlane = startMotion(flat, stateAtRest(flat.assembly));
@@ -133,7 +133,7 @@ TEST(SpaceSupports, ABlockFlushBetweenWallsThatTurnTurnsWithThem)
                                boxBlock({-0.2, -0.5, 0}, {0.2, -0.2, 0.3}, 0),
                                boxBlock({-0.2, 0.2, 0}, {0.2, 0.5, 0.3}, 0),
                                boxBlock({-0.2, -0.2, 0}, {0.2, 0.2, 0.5})};
-            DynamicCase<3> scene = spaceScenes::sceneOf(assembly, theta, mu, {0, 0, -spaceScenes::g});
+            DynamicCase<3> scene = spaceScenes::sceneOf(assembly, theta, mu, {0, 0, -g});
             scene.solution.tolerance = 1e-9;
             const Vector<3> axis = Vector<3>(1, 2, 3).normalized();
             const Vector<3> centre(1, 0.3, 0);
@@ -163,11 +163,10 @@ TEST(SpaceSupports, ABlockOnATableThatIsAcceleratedRocksAboveItsSlenderness)
     {
         for (const double share : {0.95, 1.05})
         {
-            const double acceleration = share * 0.3 * spaceScenes::g;
+            const double acceleration = share * 0.3 * g;
             const Points velocity{{0, 0}, {0.05, 0.01}, {0.1, 0.01}, {0.3, 0.01 + 0.2 * acceleration}};
             DynamicCase<2> flat = scenes::sceneOf(assembly, {.theta = theta, .mu = 0.6, .tolerance = 1e-10});
-            DynamicCase<3> solid =
-                spaceScenes::sceneOf(extruded(assembly), theta, 0.6, {0, 0, -spaceScenes::g});
+            DynamicCase<3> solid = spaceScenes::sceneOf(extruded(assembly), theta, 0.6, {0, 0, -g});
             move<2>(flat, {1, 0}, velocity, {0, 0}, 1, {{0, 0}, {1, 0}});
             move<3>(solid, {1, 0, 0}, velocity, {0, 0, 0}, {0, -1, 0}, {{0, 0}, {1, 0}});
             Motion<2> inPlane = startMotion(flat, stateAtRest(flat.assembly));
@@ -179,10 +178,10 @@ TEST(SpaceSupports, ABlockOnATableThatIsAcceleratedRocksAboveItsSlenderness)
             }
             // About the edge, by the moment beyond that of the weight, which grows with the turn.
             const double inertia = 4.0 / 3 * (0.15 * 0.15 + 0.5 * 0.5);
-            const double rate = std::sqrt((0.5 * spaceScenes::g + 0.15 * acceleration) / inertia);
-            const double turn = share > 1 ? (share - 1) * 0.15 * spaceScenes::g / inertia
-                                                * (std::cosh(0.2 * rate) - 1) / (rate * rate)
-                                          : 0;
+            const double rate = std::sqrt((0.5 * g + 0.15 * acceleration) / inertia);
+            const double turn =
+                share > 1 ? (share - 1) * 0.15 * g / inertia * (std::cosh(0.2 * rate) - 1) / (rate * rate)
+                          : 0;
             EXPECT_NEAR(inPlane.state.placements.back().rotation, turn, 0.02 * turn + 1e-9) << theta;
             EXPECT_NEAR(inSpace.state.placements.back().rotation.norm(), turn, 0.02 * turn + 1e-9) << theta;
             EXPECT_LE(scenes::relativeImbalance(inPlane.energy), 1e-9) << theta;
@@ -195,7 +194,7 @@ TEST(SpaceSupports, ABlockOnATableThatIsAcceleratedRocksAboveItsSlenderness)
 TEST(SpaceSupports, ABlockTurnsWithATurntable)
 {
     DynamicCase<3> scene =
-        spaceScenes::sceneOf(spaceScenes::boxOnGround({0.3, 0.2, 0.2}, 0.2), 1, 0.6, {0, 0, -spaceScenes::g});
+        spaceScenes::sceneOf(spaceScenes::boxOnGround({0.3, 0.2, 0.2}, 0.2), 1, 0.6, {0, 0, -g});
     move<3>(scene, {1, 0, 0}, {{0, 0}, {1, 0}}, {0.5, 0.3, 0}, {0, 0, 1}, {{0, 0}, {0.5, 0.8}, {1, 0}});
     Motion<3> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < 1200; ++step)
@@ -221,8 +220,7 @@ TEST(SpaceSupports, ABondedPlateStaysOnATableThatTurnsFasterAndFaster)
             assembly.supports.push_back({"table", "table"});
             assembly.blocks = {spaceScenes::boxBlock({-1, -1, -0.2}, {1, 1, 0}, 0),
                                spaceScenes::boxBlock({0, 0, 0}, {0.4, 0.3, 0.05})};
-            DynamicCase<3> scene =
-                spaceScenes::sceneOf(assembly, theta, 0.5, {0, 0, -spaceScenes::g}, flowRule);
+            DynamicCase<3> scene = spaceScenes::sceneOf(assembly, theta, 0.5, {0, 0, -g}, flowRule);
             scene.contact.cohesion = JointStrength{1000};
             scene.contact.tension = JointStrength{2000};
             scene.effects.push_back(
@@ -257,7 +255,7 @@ TEST(SpaceSupports, ABondedStackStaysOnATableThatIsTurnedOver)
                                spaceScenes::boxBlock({0.2, 0.3, 0}, {0.6, 0.6, 0.2}),
                                spaceScenes::boxBlock({0.25, 0.35, 0.2}, {0.55, 0.55, 0.5})};
             DynamicCase<3> scene =
-                spaceScenes::sceneOf(assembly, theta, 0.5, {0, 0, -spaceScenes::g}, FlowRule::associative);
+                spaceScenes::sceneOf(assembly, theta, 0.5, {0, 0, -g}, FlowRule::associative);
             scene.contact.cohesion = JointStrength{1e6};
             scene.contact.tension = JointStrength{1e6};
             scene.effects.push_back(

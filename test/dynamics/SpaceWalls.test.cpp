@@ -23,7 +23,6 @@ namespace drystone
 namespace
 {
 
-constexpr double timeStep = 0.002;
 constexpr std::array<double, 6> multipliers{0.642859, 0.579999, 0.403694, 0.331948, 0.239643, 0.347825};
 
 Assembly<2> paperWall(int number)
@@ -36,7 +35,7 @@ Assembly<2> paperWall(int number)
 /// Pushed by 1.1 times its multiplier.
 double acceleration(int number)
 {
-    return -1.1 * multipliers[static_cast<std::size_t>(number - 1)] * scenes::g;
+    return -1.1 * multipliers[static_cast<std::size_t>(number - 1)] * g;
 }
 
 DynamicCase<2> inPlane(int number)
@@ -63,7 +62,7 @@ Assembly<3> extrudedWall(int number)
 /// By Coulomb's law, on ground that accelerates so much horizontally [m/s2].
 DynamicCase<3> pushed(Assembly<3> assembly, const Vector<3>& ground)
 {
-    DynamicCase<3> scene = spaceScenes::sceneOf(std::move(assembly), 1, 0.65, {0, 0, -scenes::g});
+    DynamicCase<3> scene = spaceScenes::sceneOf(std::move(assembly), 1, 0.65, {0, 0, -g});
     scene.solution.tolerance = 1e-9;
     std::vector<GroundMotion::Component> components(2);
     components[0].acceleration = std::make_shared<ConstantAcceleration>(ground.x());
@@ -97,7 +96,7 @@ Fall<Dim> fall(const DynamicCase<Dim>& scene, int steps, double angle)
     Motion<Dim> motion = startMotion(scene, stateAtRest(scene.assembly));
     for (int step = 0; step < steps; ++step)
     {
-        if (!advance(scene, motion, timeStep))
+        if (!advance(scene, motion, wallStep))
         {
             ADD_FAILURE() << "step " << step;
             break;
@@ -203,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P(OfThePaper, ExtrudedWall, testing::Range(1, 7));
 TEST(HouseInSpace, DoesNotTryInEachStepByCoulombsLawWhatWasInVainInTheLast)
 {
     constexpr double length = 0.005;
-    DynamicCase<3> scene = spaceScenes::sceneOf(cornerOfHouse(), 1, 0.6, {0, 0, -scenes::g});
+    DynamicCase<3> scene = spaceScenes::sceneOf(cornerOfHouse(), 1, 0.6, {0, 0, -g});
     scene.solution.tolerance = 1e-9;
     GroundMotion::Component component;
     component.acceleration = std::make_shared<ConstantAcceleration>(3);
@@ -237,7 +236,7 @@ TEST(HouseInSpace, LeavesWorkForProgramsWherePathsDoNotLeaveTheirStart)
             "front { from (0 0); length 10; }\n"
             "left { from (0 0); direction (0 1); length 6; thickness right; } } }\n"
             "supports { ground { type ground; } }\n")),
-        1, 0.5, {0, 0, -scenes::g});
+        1, 0.5, {0, 0, -g});
     scene.solution.tolerance = 1e-9;
     scene.solution.maximumFactorisations = 2000;
     GroundMotion::Component component;

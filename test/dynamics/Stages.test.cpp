@@ -17,7 +17,7 @@ using namespace drystone::scenes;
 namespace
 {
 
-constexpr double timeStep = 0.01;
+constexpr double stepOfStages = 0.01;
 
 /// One block of 1 m x 1 m, its lower edge at a height above the ground.
 DynamicCase<2> blockAt(double height, const Settings& settings = {})
@@ -44,7 +44,7 @@ TEST(Stages, FindContactsFindsTheCornersOfABlockThatTouchesAndNoneOfOneFarAbove)
     {
         const DynamicCase<2> scene = blockAt(height);
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-        Step<2> step(scene, motion, timeStep, {});
+        Step<2> step(scene, motion, stepOfStages, {});
         findContacts(step);
         EXPECT_EQ(step.points.size(), height == 0 ? 2u : 0u);
         EXPECT_EQ(step.columns.size(), step.points.size());
@@ -61,7 +61,7 @@ TEST(Stages, FindContactsKeepsTheLeverArmsOfTheStartForImpactsOfTheTrapezoidalRu
     {
         const DynamicCase<2> scene = blockAt(0, {.theta = theta});
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-        Step<2> step(scene, motion, timeStep, {});
+        Step<2> step(scene, motion, stepOfStages, {});
         findContacts(step);
         EXPECT_EQ(step.arrivals.size(), theta < 1 ? step.points.size() : 0u);
     }
@@ -72,15 +72,15 @@ TEST(Stages, AssembleMakesTheProgramOfEquation9)
     const DynamicCase<2> scene = blockAt(0);
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     motion.state.velocity << 0.5, 0, 0;
-    Step<2> step(scene, motion, timeStep, {});
+    Step<2> step(scene, motion, stepOfStages, {});
     findContacts(step);
     assemble(step);
     const double mass = scene.mass[0];
-    EXPECT_DOUBLE_EQ(step.program.inertia[0](0, 0), mass / (timeStep * timeStep));
-    EXPECT_DOUBLE_EQ(step.program.load[0], mass * 0.5 / timeStep);
+    EXPECT_DOUBLE_EQ(step.program.inertia[0](0, 0), mass / (stepOfStages * stepOfStages));
+    EXPECT_DOUBLE_EQ(step.program.load[0], mass * 0.5 / stepOfStages);
     EXPECT_DOUBLE_EQ(step.program.load[1], -mass * g);
     EXPECT_EQ(step.program.friction, std::vector<double>(2, 0.6));
-    EXPECT_DOUBLE_EQ(step.guess.displacement[0], 0.5 * timeStep);
+    EXPECT_DOUBLE_EQ(step.guess.displacement[0], 0.5 * stepOfStages);
 }
 
 TEST(Stages, ContributeChangesNothingWithoutEffectsAndAddsTheInertiaOfDampingWithIt)
@@ -94,7 +94,7 @@ TEST(Stages, ContributeChangesNothingWithoutEffectsAndAddsTheInertiaOfDampingWit
             scene.effects = {std::make_shared<MassDamping<2>>(Damping{coefficient})};
         }
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-        Step<2> step(scene, motion, timeStep, {});
+        Step<2> step(scene, motion, stepOfStages, {});
         findContacts(step);
         assemble(step);
         const PlaneConeProgram rigid = step.program;
@@ -102,7 +102,7 @@ TEST(Stages, ContributeChangesNothingWithoutEffectsAndAddsTheInertiaOfDampingWit
         EXPECT_EQ(step.program.gap, rigid.gap);
         EXPECT_EQ(step.program.load, rigid.load);
         EXPECT_DOUBLE_EQ(step.program.inertia[0](0, 0) - rigid.inertia[0](0, 0),
-                         coefficient / timeStep * scene.mass[0]);
+                         coefficient / stepOfStages * scene.mass[0]);
     }
 }
 
@@ -112,7 +112,7 @@ TEST(Stages, SolveGivesABlockAtRestItsWeightAndOneInTheAirItsFall)
     {
         const DynamicCase<2> scene = blockAt(height);
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-        Step<2> step(scene, motion, timeStep, {});
+        Step<2> step(scene, motion, stepOfStages, {});
         prepare(step);
         solve(step);
         ASSERT_TRUE(step.solved.isSolved);
@@ -125,7 +125,7 @@ TEST(Stages, SolveGivesABlockAtRestItsWeightAndOneInTheAirItsFall)
         }
         else
         {
-            EXPECT_NEAR(step.solved.result.displacement[1], -g * timeStep * timeStep, 1e-15);
+            EXPECT_NEAR(step.solved.result.displacement[1], -g * stepOfStages * stepOfStages, 1e-15);
         }
         EXPECT_EQ(motion.state.velocity.norm(), 0) << "solve moves nothing";
     }
@@ -138,7 +138,7 @@ TEST(Stages, CollideThrowsABlockBackAndAsksForAnotherSolution)
         const DynamicCase<2> scene = blockAt(0, {.restitution = restitution});
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
         motion.state.velocity << 0, -1, 0;
-        Step<2> step(scene, motion, timeStep, {});
+        Step<2> step(scene, motion, stepOfStages, {});
         prepare(step);
         solve(step);
         EXPECT_EQ(collide(step), restitution > 0);
@@ -156,13 +156,13 @@ TEST(Stages, CollideFindsTheInstantAtWhichAFallingBlockMeetsTheGround)
     const DynamicCase<2> scene = blockAt(height, {.restitution = 0.5});
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     motion.state.velocity << 0, -1, 0;
-    Step<2> step(scene, motion, timeStep, {ImpactInstant::located, 1e-3 * timeStep, 0});
+    Step<2> step(scene, motion, stepOfStages, {ImpactInstant::located, 1e-3 * stepOfStages, 0});
     prepare(step);
     solve(step);
     EXPECT_FALSE(collide(step));
     EXPECT_FALSE(step.solved.isSolved);
     const double instant = (std::sqrt(1 + 2 * g * height) - 1) / g; // of h = t + g t^2/2
-    EXPECT_NEAR(step.solved.length * timeStep, instant, 1e-6 * instant);
+    EXPECT_NEAR(step.solved.length * stepOfStages, instant, 1e-6 * instant);
 }
 
 TEST(Stages, ReviewAsksForAnotherSolutionWhenABondBreaksAndNotWithoutOne)
@@ -179,7 +179,7 @@ TEST(Stages, ReviewAsksForAnotherSolutionWhenABondBreaksAndNotWithoutOne)
             scene.effects = {std::make_shared<JointBonds<2>>(jointBonds(scene.contact, scene.assembly))};
         }
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-        Step<2> step(scene, motion, timeStep, {});
+        Step<2> step(scene, motion, stepOfStages, {});
         prepare(step);
         solve(step);
         ASSERT_TRUE(step.solved.isSolved);
@@ -192,20 +192,20 @@ TEST(Stages, MoveAndAccountGiveAFallItsPlaceVelocityAndEnergy)
 {
     const DynamicCase<2> scene = blockAt(2);
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-    Step<2> step(scene, motion, timeStep, {});
+    Step<2> step(scene, motion, stepOfStages, {});
     prepare(step);
     solve(step);
     ASSERT_FALSE(collide(step));
     ASSERT_FALSE(review(step));
     move(step);
-    EXPECT_NEAR(motion.state.velocity[1], -g * timeStep, 1e-14);
-    EXPECT_NEAR(motion.state.placements[1].translation.y(), -g * timeStep * timeStep, 1e-15);
-    EXPECT_DOUBLE_EQ(motion.state.time, timeStep);
+    EXPECT_NEAR(motion.state.velocity[1], -g * stepOfStages, 1e-14);
+    EXPECT_NEAR(motion.state.placements[1].translation.y(), -g * stepOfStages * stepOfStages, 1e-15);
+    EXPECT_DOUBLE_EQ(motion.state.time, stepOfStages);
     EXPECT_EQ(motion.energy.kinetic, 0) << "the ledger is kept by account";
     measureEnergy(step);
     EXPECT_FALSE(createsEnergy(step));
     account(step);
-    EXPECT_NEAR(motion.energy.kinetic, 0.5 * scene.mass[0] * std::pow(g * timeStep, 2), 1e-9);
+    EXPECT_NEAR(motion.energy.kinetic, 0.5 * scene.mass[0] * std::pow(g * stepOfStages, 2), 1e-9);
     EXPECT_LT(relativeImbalance(motion.energy), 1e-12);
 }
 
@@ -225,7 +225,7 @@ TEST(Stages, EachHasItsTimeAndTheyAddUpOverSteps)
     decltype(StageTimes::seconds) before{};
     for (int count = 0; count < 3; ++count)
     {
-        ASSERT_TRUE(advance(scene, motion, timeStep));
+        ASSERT_TRUE(advance(scene, motion, stepOfStages));
         for (const auto& [name, stage] : namesOf(Stage{}))
         {
             if (stage == Stage::rest) // only with `selection automatic`
@@ -247,17 +247,17 @@ TEST(ShortenedSteps, AreHalvedUntilTheyAreSolvedWithoutKnowingATime)
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     motion.state.velocity << 1, 0, 0.5;
     const Motion<2> before = motion;
-    const ShortenedStep failed = advanceOrShorten(scene, motion, timeStep);
+    const ShortenedStep failed = advanceOrShorten(scene, motion, stepOfStages);
     EXPECT_FALSE(failed.isSolved);
-    EXPECT_DOUBLE_EQ(failed.timeStep, timeStep / 1024);
+    EXPECT_DOUBLE_EQ(failed.timeStep, stepOfStages / 1024);
     EXPECT_EQ(motion.attempt.retries, 10);
     EXPECT_EQ(motion.state.time, before.state.time);
     EXPECT_EQ(motion.state.velocity, before.state.velocity);
 
     scene.solution.maximumIterations = 100;
-    const ShortenedStep taken = advanceOrShorten(scene, motion, timeStep);
+    const ShortenedStep taken = advanceOrShorten(scene, motion, stepOfStages);
     EXPECT_TRUE(taken.isSolved);
-    EXPECT_EQ(taken.timeStep, timeStep);
+    EXPECT_EQ(taken.timeStep, stepOfStages);
     EXPECT_EQ(motion.residuals.retries, 0);
-    EXPECT_DOUBLE_EQ(motion.state.time, timeStep);
+    EXPECT_DOUBLE_EQ(motion.state.time, stepOfStages);
 }

@@ -1,5 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Time steps against motions that have a closed form.
+#include "../Polygons.h"
+#include "SceneGravity.h"
+
 #include "dynamics/ThetaStep.h"
 #include "effects/Structure.h"
 
@@ -14,12 +17,7 @@ namespace drystone
 namespace
 {
 
-constexpr double g = 9.81;
-
-Polygon rectangle(double left, double bottom, double width, double height)
-{
-    return {{left, bottom}, {left + width, bottom}, {left + width, bottom + height}, {left, bottom + height}};
-}
+using test::rectangleOfSize;
 
 /// A structure and all that its steps need.
 struct Motion
@@ -76,15 +74,15 @@ Assembly<2> blockOnGround(double width, double height)
 {
     Assembly<2> assembly;
     assembly.supports.push_back({"ground", "ground"});
-    assembly.blocks.push_back({rectangle(-5, -1, 10 + width, 1), 1, 0});
-    assembly.blocks.push_back({rectangle(0, 0, width, height), 1, -1});
+    assembly.blocks.push_back({rectangleOfSize(-5, -1, 10 + width, 1), 1, 0});
+    assembly.blocks.push_back({rectangleOfSize(0, 0, width, height), 1, -1});
     return assembly;
 }
 
 TEST(ThetaStep, TrapezoidalRuleFallsAsGalileoSays)
 {
     Assembly<2> assembly;
-    assembly.blocks.push_back({rectangle(0, 0, 1, 1), 1, -1});
+    assembly.blocks.push_back({rectangleOfSize(0, 0, 1, 1), 1, -1});
     Motion motion{.assembly = assembly, .scheme = {0.5, 0.01}};
     for (int step = 0; step < 100; ++step)
     {
@@ -157,8 +155,8 @@ TEST(ThetaStep, ARockingBlockLosesAtImpactWhatHousnerSays)
 TEST(ThetaStep, AFreeAssemblyKeepsItsMomentum)
 {
     Assembly<2> assembly;
-    assembly.blocks.push_back({rectangle(0, 0, 1, 0.5), 1, -1});
-    assembly.blocks.push_back({rectangle(0.3, 0.5, 1, 0.5), 1, -1});
+    assembly.blocks.push_back({rectangleOfSize(0, 0, 1, 0.5), 1, -1});
+    assembly.blocks.push_back({rectangleOfSize(0.3, 0.5, 1, 0.5), 1, -1});
     Motion motion{.assembly = assembly, .scheme = {1, 0.001}, .gravity = Vector<2>::Zero()};
     motion.state.velocity << 1, 0.5, 0.2, -0.3, -0.8, 0.1;
     const auto momentum = [&]

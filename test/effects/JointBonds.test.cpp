@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Cohesion and tension in motion: where bonds hold and where they break, against closed forms.
 #include "../dynamics/Scenes.h"
+#include "TakenSteps.h"
 
 #include "effects/JointBonds.h"
 
@@ -14,6 +15,8 @@ using namespace drystone::scenes;
 
 namespace
 {
+
+using test::run;
 
 /// How a block may be computed; the closed forms are the same for all of them.
 struct Way
@@ -66,17 +69,6 @@ DynamicCase<2> bondedScene(Assembly<2> assembly, Settings settings, double cohes
     scene.solution.solver = way.solver;
     scene.schemes.smallDisplacements = way.smallDisplacements;
     return scene;
-}
-
-void run(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep, int steps)
-{
-    for (int step = 0; step < steps; ++step)
-    {
-        ASSERT_TRUE(advance(scene, motion, timeStep))
-            << "step " << step << ": residuals " << motion.attempt.primalResidual << " "
-            << motion.attempt.dualResidual << " " << motion.attempt.dualityGap << " after "
-            << motion.attempt.iterations << " iterations of " << motion.attempt.programs << " programs";
-    }
 }
 
 /// The ground accelerates by `acceleration` g for all time.

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Effects beside friction and impact: elastic contact points and damping, against closed forms.
 #include "../dynamics/Scenes.h"
+#include "TakenSteps.h"
 
 #include "effects/JointElasticity.h"
 #include "effects/MassDamping.h"
@@ -17,6 +18,8 @@ using namespace drystone::scenes;
 namespace
 {
 
+using test::run;
+
 /// One block of 1 m x 1 m on the ground.
 DynamicCase<2> blockOnSprings(double normal, double tangential, Settings settings = {})
 {
@@ -25,14 +28,6 @@ DynamicCase<2> blockOnSprings(double normal, double tangential, Settings setting
     DynamicCase<2> scene = sceneOf(std::move(assembly), settings);
     scene.effects = {std::make_shared<JointElasticity<2>>(Elasticity{normal, tangential})};
     return scene;
-}
-
-void run(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep, int steps)
-{
-    for (int step = 0; step < steps; ++step)
-    {
-        ASSERT_TRUE(advance(scene, motion, timeStep)) << "step " << step;
-    }
 }
 
 } // namespace

@@ -46,7 +46,7 @@ DynamicCase<2> blockOnGround(const Settings& settings, double width = 1, double 
     return sceneOf(std::move(assembly), settings);
 }
 
-void run(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep, double until)
+void runUntil(const DynamicCase<2>& scene, Motion<2>& motion, double timeStep, double until)
 {
     while (motion.state.time < until - timeStep / 2)
     {
@@ -129,7 +129,7 @@ TEST(SupportMotion, ThatStartsAllAtOncePushesABlockAsAPlasticImpactDoes)
         scene.effects = {
             std::make_shared<MovingSupports<2>>(std::vector{motionOf({0, 1}, {{0, 1}, {10, 1}})})};
         Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
-        ASSERT_NO_FATAL_FAILURE(run(scene, motion, 1e-2, 0.5));
+        ASSERT_NO_FATAL_FAILURE(runUntil(scene, motion, 1e-2, 0.5));
         const double mass = scene.mass[0];
         EXPECT_NEAR(motion.state.velocity[1], 1, 1e-9);
         EXPECT_NEAR(motion.state.placements[1].translation.y(), 0.5, 1e-9);
@@ -148,11 +148,11 @@ TEST(SupportMotion, ThatSettlesTakesABlockAlongAsLongAsItFallsSlowerThanTheBlock
     const double weight = scene.mass[0] * g;
     const auto force = [&motion] { return motion.contactForces[0].x() + motion.contactForces[1].x(); };
     // Backward Euler starts with half a step's velocity too little.
-    ASSERT_NO_FATAL_FAILURE(run(scene, motion, 1e-3, 0.4));
+    ASSERT_NO_FATAL_FAILURE(runUntil(scene, motion, 1e-3, 0.4));
     EXPECT_NEAR(force(), 0.5 * weight, 1e-6 * weight);
-    ASSERT_NO_FATAL_FAILURE(run(scene, motion, 1e-3, 0.9));
+    ASSERT_NO_FATAL_FAILURE(runUntil(scene, motion, 1e-3, 0.9));
     EXPECT_NEAR(force(), 1.5 * weight, 1e-6 * weight);
-    ASSERT_NO_FATAL_FAILURE(run(scene, motion, 1e-3, 1.5));
+    ASSERT_NO_FATAL_FAILURE(runUntil(scene, motion, 1e-3, 1.5));
     EXPECT_NEAR(force(), weight, 1e-6 * weight);
     EXPECT_NEAR(motion.state.placements[1].translation.y(), -0.125 * g, 1e-9);
     EXPECT_EQ(motion.state.placements[0].translation.x(), 0);
@@ -332,7 +332,7 @@ TEST(Deletion, ABlockOutsideFromTheStartIsNotComputed)
     scene.effects = {std::make_shared<BlockDeletion<2>>(Deletion<2>{{{-10, -1}, {0, 10}}})};
     Motion<2> motion = startMotion(scene, slidingOff(scene));
     EXPECT_EQ(motion.energy.opening, 0);
-    ASSERT_NO_FATAL_FAILURE(run(scene, motion, 1e-2, 1));
+    ASSERT_NO_FATAL_FAILURE(runUntil(scene, motion, 1e-2, 1));
     EXPECT_EQ(motion.state.placements[1].translation.x(), 0);
     EXPECT_EQ(motion.state.velocity.norm(), 0);
 }

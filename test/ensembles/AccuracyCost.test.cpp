@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// What accuracyCost makes of its runs, the readings of its dictionary, and the orders that theta schemes
 /// show against Housner's equation.
+#include "../Polygons.h"
+
 #include "ensembles/AccuracyCost.h"
 #include "ensembles/HousnerCase.h"
 
@@ -20,10 +22,7 @@ using namespace drystone;
 namespace
 {
 
-Polygon rectangle(double left, double bottom, double width, double height)
-{
-    return {{left, bottom}, {left + width, bottom}, {left + width, bottom + height}, {left, bottom + height}};
-}
+using test::rectangleOfSize;
 
 /// The block of 0.5 x 2 m, turned about its left corner by half its slenderness, or at rest.
 std::shared_ptr<AccuracyCase<2>> rockingCase(double share = 0.5)
@@ -33,8 +32,8 @@ std::shared_ptr<AccuracyCase<2>> rockingCase(double share = 0.5)
     DynamicCase<2> scene;
     Assembly<2> assembly;
     assembly.supports.push_back({"ground", "ground"});
-    assembly.blocks.push_back({rectangle(-4, -0.5, 8, 0.5), 1, 0});
-    assembly.blocks.push_back({rectangle(-0.25, 0, 0.5, 2), 1, -1});
+    assembly.blocks.push_back({rectangleOfSize(-4, -0.5, 8, 0.5), 1, 0});
+    assembly.blocks.push_back({rectangleOfSize(-0.25, 0, 0.5, 2), 1, -1});
     const std::vector<double> densities(2, 2000);
     setStructure(scene, std::move(assembly), densities);
     scene.gravity = {0, -9.81};
@@ -181,7 +180,7 @@ TEST(AccuracyCost, HousnersEquationIsForOneUprightBlockAlone)
     study->scene->assembly.blocks[1].outline = {{-0.25, 0}, {0.25, 0}, {0.1, 2}, {-0.1, 2}};
     EXPECT_THROW(housnerCase(*study), FatalError);
     study = rockingCase();
-    study->scene->assembly.blocks.push_back({rectangle(2, 0, 0.5, 2), 1, -1});
+    study->scene->assembly.blocks.push_back({rectangleOfSize(2, 0, 0.5, 2), 1, -1});
     EXPECT_THROW(housnerCase(*study), FatalError);
 }
 

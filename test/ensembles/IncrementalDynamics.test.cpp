@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Incremental analyses of a block on the ground, whose thresholds have a closed form: it slides at mu g and
 /// rocks at (width/height) g.
+#include "../Polygons.h"
+
 #include "ensembles/IncrementalDynamics.h"
 #include "ensembles/IncrementalDynamicsCase.h"
 
@@ -24,10 +26,7 @@ namespace
 
 constexpr double g = 9.81;
 
-Polygon rectangle(double left, double bottom, double width, double height)
-{
-    return {{left, bottom}, {left + width, bottom}, {left + width, bottom + height}, {left, bottom + height}};
-}
+using test::rectangleOfSize;
 
 struct BlockCase
 {
@@ -53,8 +52,8 @@ IncrementalDynamics<2> studyOf(const BlockCase& block)
     IncrementalDynamics<2> study;
     DynamicCase<2>& scene = study.scene;
     scene.assembly.supports.push_back({"ground", "ground"});
-    scene.assembly.blocks.push_back({rectangle(-5, -1, 10 + block.width, 1), 1, 0});
-    scene.assembly.blocks.push_back({rectangle(0, 0, block.width, block.height), 1, -1});
+    scene.assembly.blocks.push_back({rectangleOfSize(-5, -1, 10 + block.width, 1), 1, 0});
+    scene.assembly.blocks.push_back({rectangleOfSize(0, 0, block.width, block.height), 1, -1});
     scene.blocks = blockMasses(scene.assembly);
     scene.free = freeIndices(scene.assembly);
     const std::vector<double> densities(2, 1800);

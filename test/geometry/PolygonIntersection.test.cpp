@@ -1,5 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Common parts of polygons, convex and concave, that overlap, touch or nearly do.
+#include "../Polygons.h"
+
 #include "geometry/PolygonIntersection.h"
 #include "geometry/PolygonShape.h"
 
@@ -15,25 +17,12 @@ using namespace drystone;
 namespace
 {
 
-const Polygon letterL{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+using test::letterL;
+using test::rectangle;
+using test::turned;
+
 const Polygon comb{{0, 0}, {5, 0}, {5, 2}, {4, 2}, {4, 1}, {3, 1},
                    {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-
-Polygon rectangle(double x0, double y0, double x1, double y1)
-{
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
-
-Polygon turned(Polygon polygon, double angle, const Vector<2>& shift)
-{
-    Eigen::Matrix2d rotation;
-    rotation << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
-    for (Vector<2>& vertex : polygon)
-    {
-        vertex = (rotation * vertex + shift).eval();
-    }
-    return polygon;
-}
 
 double totalArea(const std::vector<Polygon>& parts)
 {

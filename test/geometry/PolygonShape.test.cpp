@@ -1,5 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Shape of polygons: simple outlines, triangulation, overlaps.
+#include "../Polygons.h"
+
 #include "geometry/PolygonShape.h"
 
 #include <gtest/gtest.h>
@@ -13,36 +15,10 @@ using namespace drystone;
 namespace
 {
 
-const Polygon letterL{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-
-Polygon rectangle(double x0, double y0, double x1, double y1)
-{
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
-
-Polygon turned(Polygon polygon, double angle, const Vector<2>& shift)
-{
-    Eigen::Matrix2d rotation;
-    rotation << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
-    for (Vector<2>& vertex : polygon)
-    {
-        vertex = rotation * vertex + shift;
-    }
-    return polygon;
-}
-
-/// A star-shaped polygon: simple by construction, mostly concave.
-Polygon randomStar(std::mt19937& random, int corners)
-{
-    std::uniform_real_distribution<double> radius(0.3, 1);
-    Polygon polygon;
-    for (int i = 0; i < corners; ++i)
-    {
-        const double angle = 2 * std::numbers::pi * i / corners;
-        polygon.push_back(radius(random) * Vector<2>(std::cos(angle), std::sin(angle)));
-    }
-    return polygon;
-}
+using test::letterL;
+using test::randomStar;
+using test::rectangle;
+using test::turned;
 
 TEST(PolygonShape, SimpleOutlinesDoNotIntersectThemselves)
 {

@@ -1,7 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Volumes, centroids and inertias of polyhedra against closed forms.
-#include "geometry/space/Polyhedron.h"
+#include "../Polygons.h"
+
 #include "geometry/Polygon.h"
+#include "geometry/space/Polyhedron.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -16,6 +18,8 @@ using namespace drystone;
 namespace
 {
 
+using test::randomStar;
+
 std::vector<Vector<3>> atHeight(const Polygon& polygon, double z)
 {
     std::vector<Vector<3>> corners;
@@ -24,19 +28,6 @@ std::vector<Vector<3>> atHeight(const Polygon& polygon, double z)
         corners.emplace_back(corner.x(), corner.y(), z);
     }
     return corners;
-}
-
-/// Simple by construction, mostly concave, counter-clockwise.
-Polygon randomStar(std::mt19937& random, int corners)
-{
-    std::uniform_real_distribution<double> radius(0.3, 1);
-    Polygon polygon;
-    for (int i = 0; i < corners; ++i)
-    {
-        const double angle = 2 * std::numbers::pi * i / corners;
-        polygon.push_back(radius(random) * Vector<2>(std::cos(angle), std::sin(angle)));
-    }
-    return polygon;
 }
 
 Eigen::Matrix3d randomRotation(std::mt19937& random)

@@ -2,7 +2,12 @@
 /// Small structures and a scratch folder for the tests of libs/io.
 #pragma once
 
+#include "../Polygons.h"
+
 #include "contact/ContactPoint.h"
+#include "core/Error.h"
+
+#include <gtest/gtest.h>
 
 #include <atomic>
 #include <filesystem>
@@ -46,9 +51,20 @@ inline std::string content(const std::filesystem::path& file)
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-inline Polygon rectangle(double x0, double y0, double x1, double y1)
+/// What is reported to the user where a function throws.
+template<typename Function>
+std::string messageOf(Function function)
 {
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+    try
+    {
+        function();
+    }
+    catch (const FatalError& error)
+    {
+        return error.report();
+    }
+    ADD_FAILURE() << "nothing was thrown";
+    return {};
 }
 
 inline ContactPoint<2> contact(int block, int neighbour, int joint, const Vector<2>& position,

@@ -24,25 +24,11 @@ namespace
 {
 
 using test::content;
+using test::messageOf;
 using test::ScratchFolder;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-template<typename Function>
-std::string messageOf(Function function)
-{
-    try
-    {
-        function();
-    }
-    catch (const FatalError& error)
-    {
-        return error.report();
-    }
-    ADD_FAILURE() << "nothing was thrown";
-    return {};
-}
 
 std::vector<std::uint64_t> bits(const std::vector<double>& values)
 {

@@ -36,6 +36,7 @@ namespace
 
 using test::contact;
 using test::content;
+using test::messageOf;
 using test::ScratchFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -46,21 +47,6 @@ vtkSmartPointer<vtkPolyData> readBack(const std::filesystem::path& file)
     reader->SetFileName(file.c_str());
     reader->Update();
     return reader->GetOutput();
-}
-
-template<typename Function>
-std::string messageOf(Function function)
-{
-    try
-    {
-        function();
-    }
-    catch (const FatalError& error)
-    {
-        return error.report();
-    }
-    ADD_FAILURE() << "nothing was thrown";
-    return {};
 }
 
 TEST(Vtp, BlocksAreReadBackByVtkWithTheirFields)

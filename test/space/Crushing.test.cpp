@@ -18,19 +18,11 @@ namespace
 {
 
 using test::Chance;
+using test::exact;
 using test::instances;
 using test::onGround;
 using test::pushed;
-
-constexpr double exact = 1e-6;
-
-/// Of a joint per area.
-struct Stresses
-{
-    double cohesion = 0;
-    double tension = 0;
-    double crushing = std::numeric_limits<double>::infinity();
-};
+using test::Stresses;
 
 std::vector<Strength> strengths(const Stresses& stresses, const std::vector<double>& areas)
 {

@@ -18,14 +18,7 @@ namespace
 using test::Chance;
 using test::onGround;
 using test::pushed;
-
-/// Per area.
-struct Stresses
-{
-    double cohesion = 0;
-    double tension = 0;
-    double crushing = std::numeric_limits<double>::infinity();
-};
+using test::Stresses;
 
 struct Bounds
 {

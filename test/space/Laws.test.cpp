@@ -17,12 +17,11 @@ namespace
 
 using test::Chance;
 using test::collapse;
+using test::exact;
 using test::instances;
 using test::multiplier;
 using test::onGround;
 using test::pushed;
-
-constexpr double exact = 1e-6; ///< absolute, on multipliers; the solver's tolerance is 1e-9
 
 /// Some boxes on each other, each shifted and turned a little.
 std::vector<Polyhedron> randomStack(Chance& chance, int count)

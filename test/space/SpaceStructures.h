@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -17,6 +18,15 @@ namespace drystone::test
 {
 
 inline constexpr int instances = 100;
+inline constexpr double exact = 1e-6; ///< absolute, on multipliers; the solver's tolerance is 1e-9
+
+/// Strengths of a joint [Pa].
+struct Stresses
+{
+    double cohesion = 0;
+    double tension = 0;
+    double crushing = std::numeric_limits<double>::infinity();
+};
 
 /// The same instances in every run; a failure prints seed and instance.
 struct Chance

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Hard cases of limit analysis. Each answer must bring a certificate of 1e-9.
+#include "DisturbedAssembly.h"
 #include "Suite.h"
 
 #include "conic/Towers.h"
@@ -72,21 +73,6 @@ Tower towerOfHeights(const std::vector<double>& heights, double mu)
         top += height;
     }
     return tower;
-}
-
-/// Corners moved by up to `noise`, each by its own.
-Assembly<2> disturbed(Assembly<2> assembly, double noise)
-{
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> part(-noise, noise);
-    for (auto& block : assembly.blocks)
-    {
-        for (auto& vertex : block.outline)
-        {
-            vertex += Vector<2>(part(random), part(random));
-        }
-    }
-    return assembly;
 }
 
 /// Least thickness at which a semicircular arch of 27 voussoirs stands, by bisection to 1e-6. What is neither

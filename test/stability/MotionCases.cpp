@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Hard cases of motion: single blocks and towers. In each of them, whatever is measured, every step must be
 /// solved, nothing may be NaN, blocks may not enter each other, and the ledger of energy must balance.
+#include "DisturbedAssembly.h"
 #include "Suite.h"
 
 #include "contact/Penetration.h"
@@ -20,7 +21,6 @@ namespace drystone
 namespace
 {
 
-using scenes::g;
 using scenes::rectangle;
 
 /// Tolerances that each solver is for.
@@ -572,7 +572,7 @@ Outcome slivers(SolverType solver)
     return outcome;
 }
 
-Outcome removedSupport(SolverType solver)
+Outcome towerWithoutSupport(SolverType solver)
 {
     Outcome outcome;
     Assembly<2> assembly = leaningTower(1);
@@ -751,23 +751,9 @@ Assembly<2> turnedOver(Assembly<2> assembly)
     return assembly;
 }
 
-Assembly<2> disturbed(Assembly<2> assembly, double noise)
-{
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> part(-noise, noise);
-    for (Block<2>& block : assembly.blocks)
-    {
-        for (Vector<2>& vertex : block.outline)
-        {
-            vertex += Vector<2>(part(random), part(random));
-        }
-    }
-    return assembly;
-}
-
 /// A semicircular arch of 27 voussoirs that is a thousandth thicker than 0.106721 R, the least that stands,
 /// and one that is as much thinner: as built, disturbed and mirrored.
-Outcome criticalArch(SolverType solver)
+Outcome criticalArchInMotion(SolverType solver)
 {
     Outcome outcome;
     double fallen = 0;
@@ -958,7 +944,7 @@ std::vector<StabilityCase> motionCases()
     add("slivers", "blocks of 1e-4, upright and flat, among full ones", "displacement at rest [m]", 1e-9,
         1e-4, slivers);
     add("removedSupport", "nothing holds the tower: all joints are closed and none carries a force",
-        "error of the free fall of 0.2 s [m, rad]", 1e-7, 1e-3, removedSupport);
+        "error of the free fall of 0.2 s [m, rad]", 1e-7, 1e-3, towerWithoutSupport);
     for (const auto& [timeStep, text] : {std::pair(1e-3, "1em3"), {1e-4, "1em4"}})
     {
         add(fmt::format("initialOverlap_1mm_step_{}", text),
@@ -1003,7 +989,7 @@ std::vector<StabilityCase> motionCases()
     }
     add("motion_criticalArch", "a single thrust line fits, touching both faces in turn; thinner, none does",
         "displacement of the arch that stands by a thousandth of its thickness [m, rad]", 1e-9, 1e-4,
-        criticalArch);
+        criticalArchInMotion);
     for (const int frequency : {50, 500})
     {
         add(fmt::format("vibration_{}Hz", frequency),

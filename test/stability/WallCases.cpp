@@ -27,7 +27,7 @@ Outcome collapse(SolverType solver, FlowRule flowRule, int size, int steps)
     DynamicCase<2> scene =
         scenes::sceneOf(std::move(assembly), {.mu = 0.65, .flowRule = flowRule, .tolerance = tolerance});
     scene.solution.solver = solver;
-    scenes::shake(scene, std::make_shared<ConstantAcceleration>(-scenes::g));
+    scenes::shake(scene, std::make_shared<ConstantAcceleration>(-g));
     Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
     Outcome outcome;
     for (int step = 0; step < steps; ++step)

@@ -16,7 +16,7 @@ namespace drystone
 namespace
 {
 
-enum class Wall
+enum class SideWall
 {
     none,
     onTheLeft ///< without friction, of a joint that does not crush
@@ -25,12 +25,12 @@ enum class Wall
 /// A block of 2 x 1 m and W = 2000 N that stands on 1.2 m of its base and is pushed to the left by alpha kN
 /// at its middle, so that its resultant is at 1 m - alpha/4 m. The joint bears S = 5000 N in all, and W so on
 /// 0.48 m: no nearer than 0.24 m to either end.
-LimitAnalysis analysed(Wall wall)
+LimitAnalysis analysed(SideWall wall)
 {
     Assembly<2> assembly;
     assembly.supports = {{"base", "blocks"}, {"side", "blocks"}};
     assembly.blocks = {rectangle(0, 0, 2, 1), rectangle(0, -1, 1.2, 0, 0)};
-    if (wall == Wall::onTheLeft)
+    if (wall == SideWall::onTheLeft)
     {
         assembly.blocks.push_back(rectangle(-1, 0, 0, 1, 1));
     }
@@ -59,7 +59,7 @@ LimitAnalysis analysed(Wall wall)
 
 TEST(CrushingUnderDeadLoad, IsNoCollapseAtTheLoadThatTheOtherEndOfTheJointBears)
 {
-    const LimitAnalysis result = analysed(Wall::none);
+    const LimitAnalysis result = analysed(SideWall::none);
     EXPECT_EQ(result.status, CollapseStatus::unstable);
     EXPECT_LT(result.mechanism[1] + 0.2 * result.mechanism[2], 0) << "it goes down at 1.2 m";
     EXPECT_LE(result.certificate.worst(), 1e-9);
@@ -70,7 +70,7 @@ TEST(CrushingUnderDeadLoad, IsNoCollapseAtTheLoadThatTheOtherEndOfTheJointBears)
 
 TEST(CrushingUnderDeadLoad, IsNoAnswerWithoutLimitWhereTheLiveLoadPressesOnAWall)
 {
-    const LimitAnalysis result = analysed(Wall::onTheLeft);
+    const LimitAnalysis result = analysed(SideWall::onTheLeft);
     EXPECT_EQ(result.status, CollapseStatus::unstable);
     ASSERT_TRUE(result.held);
     EXPECT_NEAR(result.held->least, 4 * (1 - 0.96), 1e-6);
