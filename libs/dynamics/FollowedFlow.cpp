@@ -34,17 +34,18 @@ constexpr int pointsToAPivotAtStart = 8;
 constexpr double partOfFollowed = 0.1;
 
 /// From forces of another kind, such as those of the interior point, the way to nearly rigid points is long
-/// and winding; by way of points that are softer by these factors it is short. Where one such way does not
-/// end the other often does.
+/// and winding; by way of points that are softer by these factors it is short.
 constexpr std::array<double, 5> gentle{65536, 4096, 256, 16, 1};
+/// Where one such way does not end in space, the other often does.
 constexpr std::array<double, 4> fromFarSofter{16777216, 65536, 256, 1};
-/// In space, where pieces turn, a third way with short stages.
+/// And, as pieces turn there, a third way with short stages.
 constexpr std::array<double, 13> slow{16777216, 4194304, 1048576, 262144, 65536, 16384, 4096,
                                       1024,     256,     64,      16,     4,     1};
 constexpr std::array<std::span<const double>, 3> softenings{gentle, fromFarSofter, slow};
+/// In the plane what the first does not reach is stiffened gradually (`softest` below).
 constexpr std::size_t waysIn(int dimensions)
 {
-    return dimensions == 3 ? softenings.size() : 2;
+    return dimensions == 3 ? softenings.size() : 1;
 }
 
 /// In powers of 4 times what stops all of a structure in one whole step, so that it stays from step to step,
@@ -65,7 +66,7 @@ double stiffnessFor(const StepProgram<Dim>& program, double force, double overla
 template<int Dim>
 using PathOf = ContactPath<freedomCount<Dim>, Dim>;
 
-/// In the plane, where neither way ends: from points that are softer by this factor to nearly rigid ones
+/// In the plane, where stages do not arrive: from points that are softer by this factor to nearly rigid ones
 /// through all stiffnesses between (ContactPath::stiffen). That leads to forces which no other way reaches,
 /// in up to so many changes of state and factorisations for each point: half of the ways in rubble take 3 and
 /// 0.3, few more than 6 and 1.
