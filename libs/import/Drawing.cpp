@@ -114,6 +114,24 @@ Polygon soundOutline(const DrawnOutline& drawn, double scale, const DrawingSetti
     return outline;
 }
 
+/// Warns of lines that are not closed on layers that have blocks: stones that would be missing without a
+/// word.
+void questionOpenLines(const Drawing& drawing, const std::set<std::string>& layersOfBlocks,
+                       const ImportedFile& file)
+{
+    const auto isAmongBlocks = [&](const DrawnOutline& line) { return layersOfBlocks.contains(line.layer); };
+    const auto first = std::find_if(drawing.open.begin(), drawing.open.end(), isAmongBlocks);
+    if (first != drawing.open.end())
+    {
+        printWarningOnce(
+            fmt::format("{} lines of three and more corners on layers that have blocks are not closed, the "
+                        "first on layer {}: they are no blocks. Where they are the outlines of stones, which "
+                        "are missing now, close them in the program that drew them.",
+                        std::count_if(first, drawing.open.end(), isAmongBlocks), shown(first->layer)),
+            {file.name, "", first->line});
+    }
+}
+
 bool hasObliqueEdge(const Assembly<2>& assembly)
 {
     return std::any_of(assembly.blocks.begin(), assembly.blocks.end(),
@@ -174,6 +192,7 @@ Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings,
     std::size_t twice = 0;
     int firstTwice = 0;
     std::set<std::vector<std::pair<double, double>>> known;
+    std::set<std::string> layersOfBlocks;
     for (const DrawnOutline& drawn : drawing.outlines)
     {
         if (!settings.layers.empty()
@@ -189,6 +208,7 @@ Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings,
             firstTwice = twice++ == 0 ? drawn.line : firstTwice;
             continue;
         }
+        layersOfBlocks.insert(drawn.layer);
         zones.add(drawn.layer, static_cast<int>(assembly.blocks.size()));
         assembly.blocks.push_back({std::move(outline), settings.thickness});
     }
@@ -205,6 +225,7 @@ Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings,
         info("Import: left out {} outlines that are drawn more than once, the first in line {}", twice,
              firstTwice);
     }
+    questionOpenLines(drawing, layersOfBlocks, file);
     info("Import: a unit of the drawing is {:g} m, {}", scale,
          settings.scale ? "as `scale` says"
                         : (drawing.unit ? "as the file says" : "as the file does not say"));

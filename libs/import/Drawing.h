@@ -25,6 +25,8 @@ struct Drawing
     std::optional<double> unit = {}; ///< metres a unit of the drawing, where the file says it
     double rounding = 0; ///< unit of the last digit of coordinates as they are drawn, after scaling by
                          ///< transforms and inserts; 0: they have all digits
+    std::vector<DrawnOutline> open = {};   ///< lines of three and more corners that are not closed, without
+                                           ///< these: outlines of blocks, if someone forgot to close them
     std::vector<std::string> ignored = {}; ///< what was left out, a line each for the log: `12 entities TEXT`
 };
 

@@ -171,6 +171,10 @@ private:
         if (!polyline.isClosed && !endsMeet)
         {
             ++unused["open polylines"];
+            if (count > 2)
+            {
+                drawing.open.push_back(std::move(outline));
+            }
             return;
         }
         const Transform plane = fromPlaneOf(polyline, transform);

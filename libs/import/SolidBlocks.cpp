@@ -240,9 +240,22 @@ int nearestBlock(const BlockRange& range, const std::vector<Block<3>>& blocks,
     return static_cast<int>(nearest);
 }
 
+/// How far points are at most from the plane of a face. \param normal of the face
+double farthestFromPlane(const std::vector<Vector<3>>& points, const Vector<3>& onFace,
+                         const Vector<3>& normal)
+{
+    double farthest = 0;
+    for (const Vector<3>& point : points)
+    {
+        farthest = std::max(farthest, std::abs(normal.dot(point - onFace)));
+    }
+    return farthest;
+}
+
 /// 1 where the normal points into the block with the lower index, else -1; 0 where no face of the two lies
-/// along the joint. The nearest face that does decides. \param centre of the joint
-double sideOf(const StatedJoint<3>& joint, const Vector<3>& centre, const std::vector<Block<3>>& blocks)
+/// along the joint. The face in whose plane all its points lie, or are nearest to lying, decides: a sloping
+/// face that begins at an edge of the joint, as that of a skewback, has but two of them.
+double sideOf(const StatedJoint<3>& joint, const std::vector<Block<3>>& blocks)
 {
     constexpr double along = 0.9;
     double nearest = 1e300;
@@ -252,9 +265,9 @@ double sideOf(const StatedJoint<3>& joint, const Vector<3>& centre, const std::v
         const Polyhedron& shape = blocks[static_cast<std::size_t>(block)].shape;
         for (const std::vector<int>& face : shape.faces)
         {
-            const Vector<3> faceArea = areaVector(shape, face);
-            const double cosine = joint.normal.dot(faceArea) / faceArea.norm();
-            const double distance = std::abs(joint.normal.dot(shape.vertices[face.front()] - centre));
+            const Vector<3> normal = areaVector(shape, face).normalized();
+            const double cosine = joint.normal.dot(normal);
+            const double distance = farthestFromPlane(joint.points, shape.vertices[face.front()], normal);
             if (std::abs(cosine) > along && distance < nearest)
             {
                 nearest = distance;
@@ -297,7 +310,7 @@ StatedJoint<3> jointOf(const SolidInterface& interface, const std::vector<BlockR
                            "`interfaces ignored;`.",
                            joint.block, joint.neighbour));
     }
-    const double sign = sideOf(joint, centre, blocks);
+    const double sign = sideOf(joint, blocks);
     if (sign == 0)
     {
         refuse(

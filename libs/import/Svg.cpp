@@ -279,6 +279,7 @@ private:
             if (name == "polyline" && !endsMeet(corners))
             {
                 ++outlines.open;
+                outlines.openOfThree += corners.size() > 2 ? 1 : 0;
             }
             else
             {
@@ -288,6 +289,8 @@ private:
         if (outlines.open > 0)
         {
             others[fmt::format("{} that is open", name)] += outlines.open;
+            drawing.open.insert(drawing.open.end(), static_cast<std::size_t>(outlines.openOfThree),
+                                {{}, layer, line});
         }
         for (Polygon& corners : outlines.closed)
         {

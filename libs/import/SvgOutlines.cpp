@@ -54,6 +54,7 @@ public:
         if (corners.size() > 1 && !endsMeet(corners))
         {
             ++outlines.open;
+            outlines.openOfThree += corners.size() > 2 ? 1 : 0;
             corners.clear();
         }
         takeOutline();

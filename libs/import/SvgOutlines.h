@@ -15,6 +15,7 @@ struct SvgOutlines
 {
     std::vector<Polygon> closed; ///< the last corner may be the first again
     int open = 0;                ///< those of more than one point that are not closed
+    int openOfThree = 0;         ///< of these those of three and more points
 };
 
 /// Whether outlines that nothing closes end where they begin.

@@ -16,14 +16,27 @@ namespace
 /// Seen along its own direction a load is a point.
 constexpr double leastSeen = 0.2;
 
+constexpr double margin = 16; // [px]
+
+/// [px/m] \param world size of what is drawn [m]
+double scaleOf(const MechanismPicture& picture, const Vector<2>& world)
+{
+    return std::min((picture.width - 2 * margin) / world.x(), 1.4 * picture.width / world.y());
+}
+
+/// From tail to tip [px].
+double lengthOf(const LoadTip& tip)
+{
+    return 18 + 22 * tip.part;
+}
+
 } // namespace
 
 PicturePage makePicturePage(const MechanismPicture& picture, const Vector<2>& world)
 {
-    constexpr double margin = 16;
     constexpr double legend = 72;
     const double head = picture.title.empty() && picture.subtitle.empty() ? margin : 64;
-    const double scale = std::min((picture.width - 2 * margin) / world.x(), 1.4 * picture.width / world.y());
+    const double scale = scaleOf(picture, world);
     const Vector<2> room = scale * world;
     PicturePage page{
         scale, {(picture.width - room.x()) / 2, head}, room, Canvas(picture.width, head + room.y() + legend)};
@@ -66,6 +79,41 @@ void paintLoadArrow(Canvas& drawing, const Vector<2>& tip, const Vector<2>& onPa
     const Vector<2> across(-along.y(), along.x());
     drawing.line(tip - length * onPage, tip - 5 * along, red);
     drawing.polygon({tip, tip - 8 * along + 4 * across, tip - 8 * along - 4 * across}, {.fill = red.stroke});
+}
+
+Box<2> areaWithLoads(const MechanismPicture& picture, const Box<2>& area, const std::vector<LoadTip>& tips,
+                     const Vector<2>& onPage)
+{
+    // What arrows add to the area makes the scale smaller, and so them longer in metres: each turn leaves at
+    // most a sixth of what the last one lacked.
+    constexpr int turns = 8;
+    constexpr double halfHead = 5; // across the arrow [px]
+    const Vector<2> along(onPage.x(), -onPage.y());
+    Box<2> result = area;
+    for (int turn = 0; turn < turns; ++turn)
+    {
+        const double scale = scaleOf(picture, result.upper - result.lower);
+        result = area;
+        for (const LoadTip& tip : tips)
+        {
+            for (const Vector<2>& end : {tip.place, Vector<2>(tip.place - lengthOf(tip) / scale * along)})
+            {
+                extend<2>(result, Vector<2>(end.array() - halfHead / scale));
+                extend<2>(result, Vector<2>(end.array() + halfHead / scale));
+            }
+        }
+    }
+    return result;
+}
+
+void paintLoads(PicturePage& page, const Box<2>& area, const std::vector<LoadTip>& tips,
+                const Vector<2>& onPage)
+{
+    for (const LoadTip& tip : tips)
+    {
+        const Vector<2> place(tip.place.x() - area.lower.x(), area.upper.y() - tip.place.y());
+        paintLoadArrow(page.drawing, page.corner + page.scale * place, onPage, lengthOf(tip));
+    }
 }
 
 void paintNotes(PicturePage& page, const MechanismPicture& picture, const Vector<2>& onPage)

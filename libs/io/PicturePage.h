@@ -3,6 +3,7 @@
 /// a legend and a row of notes below.
 #pragma once
 
+#include "geometry/Box.h"
 #include "io/Canvas.h"
 #include "io/MechanismPicture.h"
 
@@ -30,6 +31,23 @@ PicturePage makePicturePage(const MechanismPicture& picture, const Vector<2>& wo
 /// picture says of its motion. \param onPage the load's direction as it is seen, y downwards, of at most unit
 /// length
 void paintNotes(PicturePage& page, const MechanismPicture& picture, const Vector<2>& onPage);
+
+/// Where an arrow of the load ends in the drawing area.
+struct LoadTip
+{
+    Vector<2> place; ///< as it is seen, y upwards [m]
+    double part = 1; ///< of the largest: the length of the arrow
+};
+
+/// The area with room for the arrows of the load, whose lengths are those of the page. \param area that is
+/// shown without them, y upwards [m] \param onPage as for paintNotes
+Box<2> areaWithLoads(const MechanismPicture& picture, const Box<2>& area, const std::vector<LoadTip>& tips,
+                     const Vector<2>& onPage);
+
+/// The arrows of the load in the drawing area. \param area that it shows, y upwards [m] \param onPage as for
+/// paintNotes
+void paintLoads(PicturePage& page, const Box<2>& area, const std::vector<LoadTip>& tips,
+                const Vector<2>& onPage);
 
 /// The load's arrow. \param onPage along it, as for paintNotes \param length from its tail to its tip, where
 /// onPage is a unit vector [px]; a point where it is seen along its own direction

@@ -520,6 +520,36 @@ TEST(Drawing, WithoutOutlinesSaysWhatThereIs)
                 AllOf(HasSubstr("no closed outline"), HasSubstr("4 entities LINE, 1 open polylines")));
 }
 
+// Four corners of a stone that nobody closed: without it the wall stands on less, and no word said where.
+TEST(Drawing, OpenLinesOnLayersOfBlocksAreWarnedOf)
+{
+    const auto polyline = [](const std::string& layer, const std::string& closed, int corners)
+    {
+        std::string text = groups({{0, "LWPOLYLINE"}, {8, layer}, {70, closed}});
+        for (int i = 0; i < corners; ++i)
+        {
+            text += groups({{10, i == 1 || i == 2 ? "1" : "0"}, {20, i > 1 ? "1" : "0"}});
+        }
+        return text;
+    };
+    const auto said = [&](const std::string& line)
+    {
+        const ImportedFile file = fileOf(section("ENTITIES", polyline("stone", "1", 4) + line) + end);
+        testing::internal::CaptureStderr();
+        drawnBlocks(readDxf(file, {}), {}, file);
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_THAT(said(polyline("stone", "0", 4)), AllOf(HasSubstr("1 lines of three and more corners"),
+                                                       HasSubstr("on layer stone"), HasSubstr("line 2")));
+    EXPECT_EQ(said(polyline("stone", "0", 2)), ""); // an axis
+    EXPECT_EQ(said(polyline("dimensions", "0", 4)), "");
+    const ImportedFile vector =
+        fileOf("<svg><g id=\"stone\"><rect width=\"1\" height=\"1\"/>\n<path d=\"M0 5h1v1h-1\"/></g></svg>");
+    testing::internal::CaptureStderr();
+    drawnBlocks(readSvg(vector), {}, vector);
+    EXPECT_THAT(testing::internal::GetCapturedStderr(), AllOf(HasSubstr("not closed"), HasSubstr("line 2")));
+}
+
 TEST(Drawing, AnOffsetIsInMetres)
 {
     Drawing drawing;

@@ -342,6 +342,26 @@ TEST(SolidBlocks, InterfacesBecomeJointsWithNormalsIntoTheLowerBlock)
                 HasSubstr("lies along no face of either"));
 }
 
+// A skewback: its sloping face begins at an edge of its bed joint, and is but 11 degrees from that.
+TEST(SolidBlocks, TheFaceThatAnInterfaceLiesOnDecidesItsNormal)
+{
+    Polyhedron skewback;
+    skewback.vertices = {{0, 0, 1}, {1, 0, 1}, {1, 0, 1.2}, {0, 1, 1}, {1, 1, 1}, {1, 1, 1.2}};
+    skewback.faces = {{0, 2, 5, 3}, {0, 3, 4, 1}, {0, 1, 2}, {3, 5, 4}, {1, 4, 5, 2}};
+    for (int turn = 0; turn < 4; ++turn)
+    {
+        Solids solids = solidsOf({skewback, makeBox({0, 0, 0}, {1, 1, 1})});
+        solids.interfaces = {{0, 1, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}}};
+        const Assembly<3> assembly = solidBlocks(solids, {}, file);
+        ASSERT_EQ(assembly.statedJoints.size(), 1u);
+        EXPECT_EQ(assembly.statedJoints[0].normal, Vector<3>(0, 0, 1)) << turn;
+        for (std::vector<int>& face : skewback.faces)
+        {
+            std::rotate(face.begin(), face.begin() + 1, face.end());
+        }
+    }
+}
+
 // A face that two stones share, cut into other triangles by each, is off its plane by rounding.
 TEST(SolidBlocks, StonesInSinglePrecisionArePartedWhereTheirFacesAreCutOtherwise)
 {

@@ -156,6 +156,25 @@ TEST(MechanismPicture, HasAScaleBarTheLoadAndItsMotion)
     EXPECT_GT(y2, y1);
 }
 
+/// The shafts of load arrows: from x, y of the tail to that of the tip, the legend's last.
+std::vector<Vector<4>> loadShafts(const std::string& svg)
+{
+    std::vector<Vector<4>> shafts;
+    for (std::size_t at = svg.find("<line"); at != std::string::npos; at = svg.find("<line", at + 1))
+    {
+        const std::string element = svg.substr(at, svg.find("/>", at) - at);
+        Vector<4> line;
+        if (element.find("#b3261e") != std::string::npos
+            && std::sscanf(element.c_str(), "<line x1=\"%lf\" y1=\"%lf\" x2=\"%lf\" y2=\"%lf\"", &line[0],
+                           &line[1], &line[2], &line[3])
+                   == 4)
+        {
+            shafts.push_back(line);
+        }
+    }
+    return shafts;
+}
+
 TEST(MechanismPicture, DrawsALoadAtItsPlaceOnTheMovedBlock)
 {
     // A block of 1 m that moves by 0.5 m to the right: a load on the middle of its top goes with it.
@@ -169,20 +188,7 @@ TEST(MechanismPicture, DrawsALoadAtItsPlaceOnTheMovedBlock)
     {
         const std::string svg = mechanismSvg(assembly, placements, picture);
         EXPECT_TRUE(parsed(svg));
-        std::vector<Vector<4>> shafts;
-        for (std::size_t at = svg.find("<line"); at != std::string::npos; at = svg.find("<line", at + 1))
-        {
-            const std::string element = svg.substr(at, svg.find("/>", at) - at);
-            Vector<4> line;
-            if (element.find("#b3261e") != std::string::npos
-                && std::sscanf(element.c_str(), "<line x1=\"%lf\" y1=\"%lf\" x2=\"%lf\" y2=\"%lf\"", &line[0],
-                               &line[1], &line[2], &line[3])
-                       == 4)
-            {
-                shafts.push_back(line);
-            }
-        }
-        return shafts;
+        return loadShafts(svg);
     };
     const auto built = tips({{{0, 0}, 0}, {{0, 0}, 0}});
     const auto moved = tips({{{0.5, 0}, 0}, {{0, 0}, 0}});
@@ -194,6 +200,58 @@ TEST(MechanismPicture, DrawsALoadAtItsPlaceOnTheMovedBlock)
                 0.2 * metre); // the page may be as wide as before or not
     EXPECT_GT(built[0][3] - built[0][1], 1.4 * (built[1][3] - built[1][1])); // half the axle, a shorter arrow
     EXPECT_EQ(built[0][0], built[0][2]);
+}
+
+/// Expects `arrows` arrows of the load in the drawing area, whole.
+void expectWholeArrows(const std::string& svg, std::size_t arrows)
+{
+    Vector<2> corner;
+    Vector<2> room;
+    const std::size_t clip = svg.find("<clipPath id=\"view\">");
+    ASSERT_NE(clip, std::string::npos);
+    ASSERT_EQ(std::sscanf(svg.c_str() + clip,
+                          "<clipPath id=\"view\"><rect x=\"%lf\" y=\"%lf\" width=\"%lf\" height=\"%lf\"",
+                          &corner[0], &corner[1], &room[0], &room[1]),
+              4);
+    const std::vector<Vector<4>> shafts = loadShafts(svg);
+    ASSERT_EQ(shafts.size(), arrows + 1);
+    for (std::size_t i = 0; i < arrows; ++i)
+    {
+        for (const Vector<2>& end : {Vector<2>(shafts[i].head<2>()), Vector<2>(shafts[i].tail<2>())})
+        {
+            EXPECT_TRUE((end.array() >= corner.array()).all()) << end.transpose();
+            EXPECT_TRUE((end.array() <= (corner + room).array()).all()) << end.transpose();
+        }
+    }
+}
+
+TEST(MechanismPicture, HasRoomForArrowsOfLoadsOnItsEdges)
+{
+    // Many small blocks, so that the arrows reach far beyond the usual margin, with loads on the outermost.
+    Assembly<2> plane;
+    Assembly<3> space;
+    for (const double x : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0})
+    {
+        plane.blocks.push_back({{{x, 0}, {x + 1, 0}, {x + 1, 0.5}, {x, 0.5}}, 1, -1});
+        space.blocks.push_back({makeBox({x, 0, 0}, {x + 1, 1, 0.5}), -1});
+    }
+    const std::vector<Placement<2>> rest(plane.blocks.size());
+    const std::vector<Placement<3>> restInSpace(space.blocks.size());
+    MechanismPicture picture;
+    for (const Vector<3>& direction :
+         {Vector<3>(0, -1, 0), Vector<3>(0, 1, 0), Vector<3>(1, 0, 0), Vector<3>(-1, 0, 0)})
+    {
+        picture.load = {direction, "live load"};
+        picture.loadPlaces = {{{0, 0, 0}, 0, 1}, {{14, 0.5, 0}, 13, 0.5}, {{6.5, 0.5, 0}, 6, 1}};
+        expectWholeArrows(mechanismSvg(plane, rest, picture), 3);
+    }
+    for (const Vector<3>& direction : {Vector<3>(0, 0, -1), Vector<3>(0, 0, 1), Vector<3>(1, 0, 0),
+                                       Vector<3>(-1, 0, 0), Vector<3>(0, 1, 0)})
+    {
+        picture.load = {direction, "live load"};
+        picture.loadPlaces = {{{0, 0, 0}, 0, 1}, {{14, 1, 0.5}, 13, 0.5}, {{6.5, 1, 0.5}, 6, 1}};
+        expectWholeArrows(mechanismSvg(space, restInSpace, picture), 3);
+    }
 }
 
 TEST(MechanismPicture, DrawsASupportThatSinksWhereItIs)

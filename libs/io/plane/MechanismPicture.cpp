@@ -244,8 +244,18 @@ Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2
     }
 
     const double blockSize = meanBlockSize(assembly);
+    const Vector<3> load =
+        picture.load ? picture.load->direction.normalized().eval() : Vector<3>::Zero().eval();
+    const Vector<2> loadOnPage(load.x(), -load.y());
+    std::vector<LoadTip> loads;
+    for (const LoadPlace& at : picture.loadPlaces)
+    {
+        loads.push_back({movedPlace(assembly, placements, at.block, at.place), at.part});
+    }
+    const Eigen::AlignedBox2d structure = shownArea(assembly, placements, blockSize);
+    const Box<2> area = areaWithLoads(picture, {structure.min(), structure.max()}, loads, loadOnPage);
     PlaneView view;
-    view.world = shownArea(assembly, placements, blockSize);
+    view.world = {area.lower, area.upper};
     PicturePage page = makePicturePage(picture, view.world.sizes());
     view.scale = page.scale;
     view.corner = page.corner;
@@ -276,14 +286,7 @@ Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2
     const std::vector<JointMark> marks =
         blockSize * view.scale < smallBlock ? std::vector<JointMark>() : picture.marks;
     paintMarks(drawing, assembly, placements, marks, moved, view);
-    const Vector<3> load =
-        picture.load ? picture.load->direction.normalized().eval() : Vector<3>::Zero().eval();
-    const Vector<2> loadOnPage(load.x(), -load.y());
-    for (const LoadPlace& at : picture.loadPlaces)
-    {
-        paintLoadArrow(drawing, view(movedPlace(assembly, placements, at.block, at.place)), loadOnPage,
-                       18 + 22 * at.part);
-    }
+    paintLoads(page, area, loads, loadOnPage);
     drawing.endClip();
 
     paintLegend(page, picture, marks, furthest > 0, largestForce);

@@ -191,7 +191,16 @@ Canvas drawnMechanism(const Assembly<3>& assembly, const std::vector<Placement<3
     const double blockSize = meanBlockSize(assembly);
     const std::vector<ShownBlock> shown = shownBlocks(assembly, placements, view);
     const std::vector<Vector<3>> ground = groundStrip(assembly, blockSize);
-    view.world = shownArea(shown, ground, view, blockSize);
+    // As it is seen: a length of 1 m along the load, in metres of the page, y downwards.
+    const Vector<3> load =
+        picture.load ? picture.load->direction.normalized().eval() : Vector<3>::Zero().eval();
+    const Vector<2> loadOnPage = view.seen(load).cwiseProduct(Vector<2>(1, -1));
+    std::vector<LoadTip> loads;
+    for (const LoadPlace& at : picture.loadPlaces)
+    {
+        loads.push_back({view.seen(movedPlace(assembly, placements, at)), at.part});
+    }
+    view.world = areaWithLoads(picture, shownArea(shown, ground, view, blockSize), loads, loadOnPage);
     PicturePage page = makePicturePage(picture, view.world.upper - view.world.lower);
     view.scale = page.scale;
     view.corner = page.corner;
@@ -209,15 +218,7 @@ Canvas drawnMechanism(const Assembly<3>& assembly, const std::vector<Placement<3
         paintBlock(drawing, shown[i], view, furthest > 0 ? shown[i].moved / furthest : 0);
         paintMarks(drawing, marks, shown[i].block, shown[i].shape, placements, view);
     }
-    // As it is seen: a length of 1 m along the load, in metres of the page.
-    const Vector<3> load =
-        picture.load ? picture.load->direction.normalized().eval() : Vector<3>::Zero().eval();
-    const Vector<2> loadOnPage = (view.onPage(load) - view.onPage(Vector<3>::Zero())) / view.scale;
-    for (const LoadPlace& at : picture.loadPlaces) // over all blocks: a load is not to be hidden
-    {
-        paintLoadArrow(drawing, view.onPage(movedPlace(assembly, placements, at)), loadOnPage,
-                       18 + 22 * at.part);
-    }
+    paintLoads(page, view.world, loads, loadOnPage); // over all blocks: a load is not to be hidden
     drawing.endClip();
     if (furthest > 0)
     {
