@@ -44,7 +44,9 @@ struct SearchOutcome
     SearchEnd end = SearchEnd::failed;
     std::optional<Evaluation> best; ///< of the feasible ones, or else the one with the smallest violation
     std::vector<std::pair<SearchAlgorithm, int>> stages; ///< and how many evaluations each took
-    int beyondBounds = 0; ///< evaluations of the last algorithm that it spent on points outside the bounds
+    int beyondBounds = 0;   ///< evaluations of the last algorithm that it spent on points outside the bounds
+    std::size_t points = 0; ///< different ones that were evaluated, computed or known
+    std::size_t failedPoints = 0; ///< of these, where an application failed
 };
 
 /// Returns the evaluation at a point, computed or known; empty when the search is to stop.

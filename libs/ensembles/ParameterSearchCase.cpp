@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 
 namespace drystone
 {
@@ -218,7 +219,8 @@ struct RunningSearch
     double bestViolation = std::numeric_limits<double>::infinity();
     InputWatch input{search.caseDirectory, runsOf(search), search.caseInput, "# "};
     int evaluations = 0;
-    int computed = 0;            ///< of these, the others were known
+    int computed = 0;                                     ///< of these, the others were known
+    std::map<std::vector<double>, int> exitStatuses = {}; ///< of the points, see SearchRecord
     int cutShort = 0;            ///< of the computed ones: maximumTime has ended a search in a case of theirs
     std::string cutShortIn = {}; ///< the last such case
 };
@@ -289,6 +291,7 @@ Evaluation evaluateKnown(RunningSearch& running, const SearchRecord& known)
     const Evaluation found =
         evaluate(search.settings, known.variables,
                  completed(search, known.variables, known.results, "The history of the search has none."));
+    running.exitStatuses[known.variables] = known.exitStatus;
     takeIfBest(running, found);
     printEvaluation(running, found, "  (known)");
     return found;
@@ -305,6 +308,7 @@ Evaluation evaluateComputed(RunningSearch& running, const std::vector<double>& v
     const Evaluation found = evaluate(search.settings, variables,
                                       completed(search, variables, run.results, reasonOfNoNumber(run)));
     running.history.add({variables, run.results, run.failureStatus, run.cpuTime});
+    running.exitStatuses[variables] = run.failureStatus;
     ++running.computed;
     if (!run.cutShortIn.empty())
     {
@@ -360,6 +364,10 @@ SearchOutcome carryOut(const ParameterSearch& search, SearchHistory& history)
         return run.isInterrupted ? std::optional<Evaluation>() : evaluateComputed(running, variables, run);
     };
     SearchOutcome outcome = searchBest(search.settings, search.start, evaluator);
+    outcome.points = running.exitStatuses.size();
+    outcome.failedPoints =
+        static_cast<std::size_t>(std::count_if(running.exitStatuses.begin(), running.exitStatuses.end(),
+                                               [](const auto& point) { return point.second != 0; }));
     std::error_code ignored;
     fs::remove_all(search.caseDirectory / "parameterSearch/evaluation", ignored);
     questionCutShort(running);
@@ -435,13 +443,11 @@ void printOutcome(const ParameterSearch& search, const SearchHistory& history, c
     {
         stages += fmt::format("{}{} {}", stages.empty() ? "" : ", ", nameOf(algorithm), evaluations);
     }
-    const auto failed = std::count_if(history.records().begin(), history.records().end(),
-                                      [](const SearchRecord& record) { return record.exitStatus != 0; });
-    if (failed > 0)
+    if (outcome.failedPoints > 0)
     {
         info("At {} of {} points an application failed, and `otherwise` was used: see exitStatus in "
              "history.dat",
-             failed, history.records().size());
+             outcome.failedPoints, outcome.points);
     }
     info("Status: {} (evaluations: {})", statusText(search, outcome), stages);
     questionBest(search, history, *outcome.best);

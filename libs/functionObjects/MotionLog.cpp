@@ -200,6 +200,10 @@ void printSummary(const MotionSummary<Dim>& summary, const Motion<Dim>& motion)
 template<int Dim>
 void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time)
 {
+    if (time.value() == time.startValue()) // no step was due
+    {
+        return;
+    }
     const double theta = scene.schemes.timeIntegration.theta;
     // What rounding moves a structure that stands still by says nothing: the energy of a fall by as little.
     constexpr double rounding = 1e-12;
@@ -287,6 +291,10 @@ void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
 void printStageTimes(const StageTimes& times)
 {
     const double total = times.total();
+    if (total == 0) // no step was due
+    {
+        return;
+    }
     info("Time of the stages    [s]      %");
     for (const auto& [name, stage] : namesOf(Stage{}))
     {
@@ -294,8 +302,7 @@ void printStageTimes(const StageTimes& times)
         {
             continue;
         }
-        info("    {:12} {:9.3g} {:6.1f}", name, times.of(stage),
-             total > 0 ? 100 * times.of(stage) / total : 0);
+        info("    {:12} {:9.3g} {:6.1f}", name, times.of(stage), 100 * times.of(stage) / total);
     }
     printLine();
 }

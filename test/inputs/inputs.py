@@ -89,6 +89,8 @@ class KeptResults(InputTest):
         self.assertIn("the old answer", warned[0])
         self.assertIn("0.02/state", warned[0])
         self.assertIn("nothing to compute", said)
+        self.assertNotIn("Time of the stages", said)
+        self.assertNotIn("Estimated error", said)
 
     def testChangedLoadsWhileTheRunGoesOn(self):
         warned, said = self.changed("onwards", lambda case: self.write(

@@ -249,7 +249,16 @@ class ParameterSearch(CaseTest):
                             'file "constant/contactProperties"; entry "friction/mu"; bounds (-0.5 0.5);')
         with open(dictionary, "w", encoding="utf-8") as file:
             file.write(text.replace("minimise; value alpha;", "minimise; value angle;"))
-        self.assertIn("At 1 of", self.run_(case).stdout)
+        done = self.run_(case)
+        self.assertIn(f"At 1 of {len(self.rows(case))} points an application failed", done.stdout)
+        with open(dictionary, encoding="utf-8") as file:
+            looser = file.read().replace("tolerance 1e-5", "tolerance 0.1")
+        with open(dictionary, "w", encoding="utf-8") as file:
+            file.write(looser)
+        again = self.run_(case).stdout
+        evaluations = again.count("Evaluation ")
+        self.assertLess(evaluations, len(self.rows(case)))
+        self.assertIn(f"At 1 of {evaluations} points an application failed", again)  # those of the first search are not its own
         faulty = self.case("badBounds", otherwise="otherwise -1;")
         with open(os.path.join(faulty, "constant/g"), "a", encoding="utf-8") as file:
             file.write("valu 3;\n")
