@@ -32,6 +32,7 @@ void PartedStep<Dim>::count(const StepResiduals& attempt)
     work.dualResidual = std::max(work.dualResidual, attempt.dualResidual);
     work.dualityGap = std::max(work.dualityGap, attempt.dualityGap);
     work.flowError = std::max(work.flowError, attempt.flowError);
+    work.overlookedDepth = std::max(work.overlookedDepth, attempt.overlookedDepth);
     work.iterations += attempt.iterations;
     work.factorisations += attempt.factorisations;
     work.programs += attempt.programs;

@@ -44,6 +44,7 @@ struct StepResiduals
     int programs = 0;     ///< cone programs solved for the step: more than one with non-associative friction
     int retries = 0;      ///< attempts that did not converge before this one
     double flowError = 0; ///< of Coulomb's law: by how much mu |u_t| is missed where a point slides [m]
+    double overlookedDepth = 0; ///< of blocks in each other at the end, where no point was foreseen [m]
     StepFault fault = StepFault::none; ///< of an attempt that is not taken
 };
 

@@ -158,6 +158,7 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
             return takeStep(scene, motion, timeStep, impacts, attemptForces, std::move(step.overlooking));
         }
         fault = motion.contacts->isTooDeep(depth) ? StepFault::entersTooDeep : StepFault::none;
+        motion.attempt.overlookedDepth = depth;
     }
     const DynamicState<Dim> start = motion.state;
     if (fault == StepFault::none)

@@ -43,7 +43,7 @@ const Registry<std::optional<MorePoints>>& jointPointTypes()
     using Choice = std::optional<MorePoints>;
     static const Registry<Choice> registry{
         "jointPoints",
-        {model<Choice, CornersAlone>("corners", "the corners of each joint",
+        {model<Choice, CornersAlone>("corners", "the corners of each joint, and with crushing as adaptive",
                                      [](const CornersAlone&) -> Choice { return std::nullopt; }),
          model<Choice, PointGrid>("grid", "a grid of points over each joint, each with its part of the area",
                                   [](const PointGrid& grid) -> Choice { return grid; }),

@@ -127,6 +127,11 @@ std::vector<std::string> eventsOf(const DynamicCase<Dim>& scene, const Motion<Di
         events.push_back(fmt::format("Coulomb's law is satisfied to {:.2g} m of dilatancy after {} programs",
                                      residuals.flowError, residuals.programs));
     }
+    if (overlooksContacts(scene, residuals.overlookedDepth))
+    {
+        events.push_back(fmt::format("Blocks are in each other by {:.2g} m where no contact was foreseen",
+                                     residuals.overlookedDepth));
+    }
     for (std::size_t i = 0; i < scene.effects.size(); ++i)
     {
         std::string text = scene.effects[i]->stepText(motion.effectStatesBefore[i], motion.effectStates[i]);

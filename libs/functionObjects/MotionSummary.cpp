@@ -31,11 +31,17 @@ double MotionSummary<Dim>::speedOf(const DynamicState<Dim>& state, int free) con
 }
 
 template<int Dim>
-void MotionSummary<Dim>::observe(const DynamicState<Dim>& state, double flowError)
+void MotionSummary<Dim>::observe(const DynamicState<Dim>& state, const StepResiduals& residuals)
 {
     ++steps;
-    stepsThatMiss += missesFlow(scene, flowError);
-    largestMissed = std::max(largestMissed, flowError);
+    stepsThatMiss += missesFlow(scene, residuals.flowError);
+    largestMissed = std::max(largestMissed, residuals.flowError);
+    if (overlooksContacts(scene, residuals.overlookedDepth))
+    {
+        timeOfOverlooked = stepsThatOverlook == 0 ? state.time : timeOfOverlooked;
+        largestOverlooked = std::max(largestOverlooked, residuals.overlookedDepth);
+        ++stepsThatOverlook;
+    }
     double speed = 0;
     for (std::size_t block = 0; block < scene.free.size(); ++block)
     {
@@ -125,6 +131,13 @@ std::vector<std::string> MotionSummary<Dim>::lines(const DynamicState<Dim>& last
         text.push_back(fmt::format("Coulomb's law is satisfied to {:.2g} m of dilatancy in {} of {} steps{}: "
                                    "shorter steps miss it by less",
                                    largestMissed, stepsThatMiss, steps, others));
+    }
+    if (stepsThatOverlook > 0)
+    {
+        text.push_back(fmt::format("Blocks are in each other by up to {:.2g} m at the end of {} of {} steps, "
+                                   "the first at {:.4g} s, where no contact was foreseen: shorter steps "
+                                   "foresee it",
+                                   largestOverlooked, stepsThatOverlook, steps, timeOfOverlooked));
     }
     return text;
 }

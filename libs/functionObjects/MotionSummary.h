@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dynamics/DynamicCase.h"
+#include "dynamics/StepObservation.h"
 
 #include <string>
 #include <vector>
@@ -22,6 +23,15 @@ bool missesFlow(const DynamicCase<Dim>& scene, double flowError)
     return flowError > scene.schemes.contactTolerance * scene.blockSize;
 }
 
+/// Whether blocks end a step so deep in each other, where no contact was foreseen, that it is said.
+/// \param depth see StepResiduals::overlookedDepth [m]
+template<int Dim>
+bool overlooksContacts(const DynamicCase<Dim>& scene, double depth)
+{
+    constexpr double mostOverlooked = 1e-4; // of the mean block size; what rounded edges enter by is less
+    return depth > mostOverlooked * scene.blockSize;
+}
+
 /// Largest displacement of a mass centre during a run and the state at its end. Holds a reference to the
 /// scene. Displacements are from the structure as built, relative to the ground.
 template<int Dim>
@@ -30,13 +40,13 @@ class MotionSummary
 public:
     explicit MotionSummary(const DynamicCase<Dim>& dynamicCase);
 
-    /// To be called at the end of each step. \param flowError of it (StepResiduals) [m]
-    void observe(const DynamicState<Dim>& state, double flowError = 0);
+    /// To be called at the end of each step. \param residuals of it
+    void observe(const DynamicState<Dim>& state, const StepResiduals& residuals = {});
 
     /// `Largest displacement: 0.0402 m, block 12, at 1.34 s`, and whether the blocks rest at the end, have
     /// come to rest, or move. They rest when all are slower than restSpeed, and have been for so long that
     /// this is no turning point of a block that rocks. Then, where steps miss Coulomb's law, how many do, and
-    /// by how much. None before the first step.
+    /// by how much, and likewise where they overlook contacts. None before the first step.
     std::vector<std::string> lines(const DynamicState<Dim>& last) const;
 
     /// With `smallDisplacements yes;`: that a block has moved or turned so far that contact points and lever
@@ -59,9 +69,12 @@ private:
     double fastest = 0;    ///< speed at any time of the run [m/s]
     double restsSince = 0; ///< end of the first step from which no block was faster than restSpeed [s]
     bool rests = false;
-    int steps = 0;            ///< observed
-    int stepsThatMiss = 0;    ///< Coulomb's law
-    double largestMissed = 0; ///< of it [m]
+    int steps = 0;                ///< observed
+    int stepsThatMiss = 0;        ///< Coulomb's law
+    double largestMissed = 0;     ///< of it [m]
+    int stepsThatOverlook = 0;    ///< contacts
+    double largestOverlooked = 0; ///< depth by that [m]
+    double timeOfOverlooked = 0;  ///< of the first of these steps [s]
 };
 
 } // namespace drystone

@@ -93,13 +93,27 @@ TEST(MotionSummary, SaysHowManyStepsMissCoulombsLaw)
 {
     const DynamicCase<2> scene = stack(); // gaps may be off by 1e-7 m
     MotionSummary<2> summary(scene);
-    summary.observe(upperAt(scene, 0.5, 0.3, 0.2), 9e-8);
-    summary.observe(upperAt(scene, 0.6, 0.4, 0.2), 3e-6);
+    summary.observe(upperAt(scene, 0.5, 0.3, 0.2), {.flowError = 9e-8});
+    summary.observe(upperAt(scene, 0.6, 0.4, 0.2), {.flowError = 3e-6});
     const DynamicState<2> last = upperAt(scene, 0.7, 0.5, 0.2);
-    summary.observe(last, 2e-7);
+    summary.observe(last, {.flowError = 2e-7});
     EXPECT_EQ(summary.lines(last).back(),
               "Coulomb's law is satisfied to 3e-06 m of dilatancy in 2 of 3 steps, in "
               "the others to 1e-07 m: shorter steps miss it by less");
+}
+
+TEST(MotionSummary, SaysHowManyStepsOverlookContacts)
+{
+    const DynamicCase<2> scene = stack(); // blocks of 1 m
+    MotionSummary<2> summary(scene);
+    summary.observe(upperAt(scene, 0.5, 0.3, 0.2), {.overlookedDepth = 9e-5});
+    summary.observe(upperAt(scene, 0.6, 0.4, 0.2), {.overlookedDepth = 3e-4});
+    const DynamicState<2> last = upperAt(scene, 0.7, 0.5, 0.2);
+    summary.observe(last, {.overlookedDepth = 2e-3});
+    EXPECT_EQ(
+        summary.lines(last).back(),
+        "Blocks are in each other by up to 0.002 m at the end of 2 of 3 steps, the first at 0.6 s, where "
+        "no contact was foreseen: shorter steps foresee it");
 }
 
 TEST(MotionSummary, SmallDisplacementsThatAreNotSmallAreQuestioned)
