@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Hinges and sliding joints of mechanisms, and their pictures.
+/// Hinges and sliding joints of mechanisms of the plane, and their pictures.
 #include "io/JointMarks.h"
 #include "contact/ContactPoint.h"
 #include "io/MechanismPicture.h"
@@ -77,51 +77,6 @@ TEST(JointMarks, WhatPartsAltogetherHasNone)
     rates.col(2) << 0, 1, 0;
     EXPECT_TRUE(marksOf(assembly, rates).empty());
     EXPECT_THAT(pictureOf(assembly, rates), Not(HasSubstr(">hinge<")));
-}
-
-Block<3> box(const Vector<3>& lower, const Vector<3>& upper, int support)
-{
-    Polyhedron shape;
-    for (const double z : {lower.z(), upper.z()})
-    {
-        shape.vertices.emplace_back(lower.x(), lower.y(), z);
-        shape.vertices.emplace_back(upper.x(), lower.y(), z);
-        shape.vertices.emplace_back(upper.x(), upper.y(), z);
-        shape.vertices.emplace_back(lower.x(), upper.y(), z);
-    }
-    shape.faces = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-    Block<3> block;
-    block.shape = shape;
-    block.support = support;
-    return block;
-}
-
-/// A box on a fixed one that turns about the edge of its foot at the side y, as seen with a wall in front or
-/// without: a wall of the width given between the viewer, who looks along y, and the boxes.
-std::string pictureOfATurningBox(double y, double widthOfWall)
-{
-    Assembly<3> assembly;
-    assembly.supports.push_back({"base", "blocks"});
-    assembly.blocks.push_back(box({0, 0, -1}, {1, 1, 0}, 0));
-    assembly.blocks.push_back(box({0, 0, 0}, {1, 1, 2}, -1));
-    if (widthOfWall > 0)
-    {
-        assembly.blocks.push_back(box({-0.5, -2, -1}, {-0.5 + widthOfWall, -1.5, 3}, 0));
-    }
-    MechanismPicture picture;
-    picture.towardsViewer = Vector<3>(0, -1, 0);
-    picture.marks.push_back({JointMotion::hinge, 1, 0, {{0, y, 0}, {1, y, 0}}});
-    Rates<3> rates = Rates<3>::Zero(6, static_cast<Eigen::Index>(assembly.blocks.size()));
-    rates.col(1) << 0, 0.1, 0, 0, 0, 0;
-    return mechanismSvg(assembly, mechanismPlacements(assembly, rates, 0.01), picture);
-}
-
-TEST(JointMarks, InSpaceTheLegendHasWhatIsSeen)
-{
-    EXPECT_THAT(pictureOfATurningBox(0, 0), HasSubstr(">hinge<"));
-    EXPECT_THAT(pictureOfATurningBox(1, 0), Not(HasSubstr(">hinge<"))); // at its back
-    EXPECT_THAT(pictureOfATurningBox(0, 2), Not(HasSubstr(">hinge<"))); // behind the wall
-    EXPECT_THAT(pictureOfATurningBox(0, 1), HasSubstr(">hinge<"));      // half of it is
 }
 
 } // namespace

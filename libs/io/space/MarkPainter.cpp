@@ -2,15 +2,12 @@
 /// Moves marks with their block; single points and the middles of lines decide what is seen of them.
 #include "io/space/MarkPainter.h"
 
-#include "geometry/PolygonShape.h"
 #include "geometry/space/Polyhedron.h"
 #include "io/Ground.h"
 #include "io/MarkLegend.h"
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace drystone
@@ -55,17 +52,13 @@ std::vector<Vector<3>> placedPoints(const Block<3>& block, const Placement<3>& p
     return places;
 }
 
-/// \return places along what was painted [px]
-std::vector<Vector<2>> paintMark(Canvas& drawing, const JointMark& mark, const Polyhedron& shape,
-                                 const std::vector<Vector<3>>& places, const View& view, double touching)
+void paintMark(Canvas& drawing, const JointMark& mark, const Polyhedron& shape,
+               const std::vector<Vector<3>>& places, const View& view, double touching)
 {
-    constexpr int samples = 20; // of a line
-    std::vector<Vector<2>> painted;
     const auto isSeen = [&](const Vector<3>& place) { return isOnSeenFace(shape, place, view, touching); };
     if (places.size() == 1 && isSeen(places[0]))
     {
         drawing.circle(view.onPage(places[0]), 3, {.fill = hingeColour});
-        painted.push_back(view.onPage(places[0]));
     }
     const bool isHinge = mark.motion == JointMotion::hinge;
     const std::size_t lines = places.size() < 2 ? 0 : isHinge ? 1 : places.size();
@@ -78,63 +71,7 @@ std::vector<Vector<2>> paintMark(Canvas& drawing, const JointMark& mark, const P
             drawing.line(
                 view.onPage(from), view.onPage(to),
                 {.stroke = isHinge ? hingeColour : slidingColour, .strokeWidth = isHinge ? 2.4 : 1.8});
-            for (int sample = 0; sample < samples; ++sample)
-            {
-                painted.push_back(view.onPage(from + (sample + 0.5) / samples * (to - from)));
-            }
         }
-    }
-    return painted;
-}
-
-/// The faces of a block that look at the viewer, on the page.
-std::vector<Polygon> facesOnPage(const Polyhedron& shape, const View& view)
-{
-    std::vector<Polygon> faces;
-    for (const std::vector<int>& face : shape.faces)
-    {
-        if (areaVector(shape, face).dot(view.towardsViewer) > 0)
-        {
-            Polygon& outline = faces.emplace_back();
-            for (const int vertex : face)
-            {
-                outline.push_back(view.onPage(shape.vertices[static_cast<std::size_t>(vertex)]));
-            }
-            std::reverse(outline.begin(), outline.end()); // y is downwards on the page
-        }
-    }
-    return faces;
-}
-
-/// Takes away the places of marks that a block hides with all of a line's width.
-void hideMarks(MarksToPaint& marks, const Polyhedron& shape, const View& view)
-{
-    constexpr double halfWidth = 1.2; // [px]
-    const std::array<Vector<2>, 4> sides{Vector<2>(halfWidth, 0), Vector<2>(-halfWidth, 0),
-                                         Vector<2>(0, halfWidth), Vector<2>(0, -halfWidth)};
-    const std::vector<Polygon> faces = facesOnPage(shape, view);
-    Box<2> box;
-    for (const Polygon& face : faces)
-    {
-        for (const Vector<2>& corner : face)
-        {
-            extend<2>(box, corner);
-        }
-    }
-    const auto isBehind = [&](const Vector<2>& place)
-    {
-        return std::any_of(faces.begin(), faces.end(),
-                           [&](const Polygon& face) { return signedDistance(face, place) <= 0; });
-    };
-    const auto isHidden = [&](const Vector<2>& place)
-    {
-        return (place.array() > box.lower.array()).all() && (place.array() < box.upper.array()).all()
-               && std::all_of(sides.begin(), sides.end(),
-                              [&](const Vector<2>& side) { return isBehind(place + side); });
-    };
-    for (std::vector<Vector<2>>& places : marks.seen)
-    {
-        std::erase_if(places, isHidden);
     }
 }
 
@@ -142,7 +79,7 @@ void hideMarks(MarksToPaint& marks, const Polyhedron& shape, const View& view)
 
 MarksToPaint marksToPaint(const Assembly<3>& assembly, const std::vector<JointMark>& marks)
 {
-    MarksToPaint result{assembly, marks, {}, {}, std::vector<std::vector<Vector<2>>>(marks.size())};
+    MarksToPaint result{assembly, marks, {}, {}};
     result.ofBlock.resize(assembly.blocks.size());
     for (const Block<3>& block : assembly.blocks)
     {
@@ -161,7 +98,6 @@ void paintMarks(Canvas& drawing, MarksToPaint& marks, int block, const Polyhedro
 {
     const auto index = static_cast<std::size_t>(block);
     marks.isPainted[index] = true;
-    hideMarks(marks, shape, view);
     for (const std::size_t i : marks.ofBlock[index])
     {
         const JointMark& mark = marks.marks[i];
@@ -169,24 +105,11 @@ void paintMarks(Canvas& drawing, MarksToPaint& marks, int block, const Polyhedro
         if (marks.isPainted[static_cast<std::size_t>(other)])
         {
             const double touching = 1e-4 * std::cbrt(std::abs(volumeProperties(shape).volume));
-            marks.seen[i] = paintMark(
-                drawing, mark, shape,
-                placedPoints(marks.assembly.blocks[index], placements[index], mark.points), view, touching);
+            paintMark(drawing, mark, shape,
+                      placedPoints(marks.assembly.blocks[index], placements[index], mark.points), view,
+                      touching);
         }
     }
-}
-
-std::vector<JointMark> seenMarks(const MarksToPaint& marks)
-{
-    std::vector<JointMark> seen;
-    for (std::size_t i = 0; i < marks.marks.size(); ++i)
-    {
-        if (!marks.seen[i].empty())
-        {
-            seen.push_back(marks.marks[i]);
-        }
-    }
-    return seen;
 }
 
 } // namespace drystone

@@ -12,24 +12,19 @@
 namespace drystone
 {
 
-/// Marks that wait for the later one of their two blocks: what else hides them is painted after it.
+/// Marks that wait for the later one of their two blocks: what hides them is painted after it.
 struct MarksToPaint
 {
     const Assembly<3>& assembly;
     const std::vector<JointMark>& marks;
     std::vector<std::vector<std::size_t>> ofBlock; ///< indices into marks
     std::vector<char> isPainted;                   ///< each block
-    /// Of each mark places along what was painted of it that no block painted since hides [px].
-    std::vector<std::vector<Vector<2>>> seen;
 };
 MarksToPaint marksToPaint(const Assembly<3>& assembly, const std::vector<JointMark>& marks);
 
-/// Paints the marks that end with a block, which has just been painted and may hide others, as far as they
-/// are on faces of it that look at the viewer. \param shape of the block where it is now
+/// Paints the marks that end with a block, which has just been painted, as far as they are on faces of it
+/// that look at the viewer. \param shape of the block where it is now
 void paintMarks(Canvas& drawing, MarksToPaint& marks, int block, const Polyhedron& shape,
                 const std::vector<Placement<3>>& placements, const View& view);
-
-/// Those of which some is seen when all blocks are painted.
-std::vector<JointMark> seenMarks(const MarksToPaint& marks);
 
 } // namespace drystone

@@ -222,7 +222,7 @@ Canvas drawnMechanism(const Assembly<3>& assembly, const std::vector<Placement<3
     drawing.endClip();
     if (furthest > 0)
     {
-        paintMarkLegend(drawing, seenMarks(marks),
+        paintMarkLegend(drawing, picture.marks,
                         {paintClayLegend(drawing, {leftOfLegend, page.legend()}) + 20, page.legend()});
     }
     paintNotes(page, picture, loadOnPage);
