@@ -4,8 +4,8 @@
 
 #include "assembly/BlockShape.h"
 #include "contact/AlmostJoints.h"
-#include "contact/ContactPoint.h"
 #include "contact/JointClosure.h"
+#include "contact/PointsOfJoints.h"
 #include "contact/ShapeChecks.h"
 #include "contact/SupportPaths.h"
 #include "contact/space/StatedJointChecks.h"
@@ -216,21 +216,17 @@ CheckResult checkJointSizes(const Assembly<Dim>& assembly, const Findings<Dim>& 
     CheckResult result{Dim == 2 ? "shortJoints" : "smallJoints", "", 0, {}};
     CheckedRange range;
     const std::vector<ContactPoint<Dim>>& points = findings.points;
-    for (std::size_t first = 0, last = 0; first < points.size(); first = last)
+    for (const PointRange& joint : pointsOfJoints(points))
     {
-        while (last < points.size() && points[last].joint == points[first].joint)
-        {
-            ++last;
-        }
-        const double size = jointSize({points.data() + first, last - first});
+        const ContactPoint<Dim>& first = points[joint.begin];
+        const double size = jointSize({&first, joint.size()});
         range.add(size);
         if (size < std::pow(limits.jointLength * findings.size, Dim - 1))
         {
-            addFault(result, fmt::format("the joint of {} and {} at {} is {:.3g} {}",
-                                         blockName(assembly, points[first].block),
-                                         blockName(assembly, points[first].neighbour),
-                                         placeText<Dim>(points[first].position), size,
-                                         Dim == 2 ? "m long" : "m2 large"));
+            addFault(result,
+                     fmt::format("the joint of {} and {} at {} is {:.3g} {}",
+                                 blockName(assembly, first.block), blockName(assembly, first.neighbour),
+                                 placeText<Dim>(first.position), size, Dim == 2 ? "m long" : "m2 large"));
         }
     }
     result.message = points.empty() ? "No joints"

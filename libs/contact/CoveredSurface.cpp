@@ -2,7 +2,7 @@
 /// Joints as parts of the surfaces of both their blocks.
 #include "contact/CoveredSurface.h"
 
-#include "contact/ContactPoint.h"
+#include "contact/PointsOfJoints.h"
 
 #include <algorithm>
 
@@ -46,13 +46,13 @@ std::vector<SurfacePiece<Dim>> coveredSurface(const Assembly<Dim>& assembly)
 {
     const std::vector<ContactPoint<Dim>> points = findContactPoints(assembly);
     std::vector<SurfacePiece<Dim>> pieces;
-    for (std::size_t first = 0, last = 0; first < points.size(); first = last)
+    for (const PointRange& joint : pointsOfJoints(points))
     {
-        const ContactPoint<Dim>& point = points[first];
+        const ContactPoint<Dim>& point = points[joint.begin];
         std::vector<Vector<Dim>> corners;
-        for (; last < points.size() && points[last].joint == point.joint; ++last)
+        for (std::size_t i = joint.begin; i < joint.end; ++i)
         {
-            corners.push_back(points[last].position);
+            corners.push_back(points[i].position);
         }
         addSide(pieces, assembly, point.block, point.neighbour, -point.normal, corners);
         addSide(pieces, assembly, point.neighbour, point.block, point.normal, corners);

@@ -2,6 +2,7 @@
 /// Areas of contact points in the plane, and at the corners of patches in space.
 #include "contact/PointAreas.h"
 
+#include "contact/PointsOfJoints.h"
 #include "geometry/PolygonShape.h"
 
 #include <algorithm>
@@ -23,9 +24,9 @@ std::vector<double> pointAreas(const Assembly<2>& assembly, const std::vector<Co
         }
         return neighbour.support >= 0 ? block.thickness : std::min(block.thickness, neighbour.thickness);
     };
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    for (const PointRange& joint : pointsOfJoints(points))
     {
-        if (points[i].joint == points[i + 1].joint)
+        for (std::size_t i = joint.begin; i + 1 < joint.end; ++i)
         {
             const double half =
                 thicknessOf(points[i]) * (points[i + 1].position - points[i].position).norm() / 2;
@@ -39,16 +40,16 @@ std::vector<double> pointAreas(const Assembly<2>& assembly, const std::vector<Co
 namespace
 {
 
-/// Adds the areas of the corners [first, last) of one patch.
-void addPatchAreas(const std::vector<ContactPoint<3>>& points, std::size_t first, std::size_t last,
+/// Adds the areas of the corners of one patch.
+void addPatchAreas(const std::vector<ContactPoint<3>>& points, const PointRange& patch,
                    std::vector<double>& areas)
 {
-    const Eigen::Matrix3d frame = contactFrame(points[first]);
+    const Eigen::Matrix3d frame = contactFrame(points[patch.begin]);
     std::vector<std::size_t> corners;
     Polygon outline;
-    for (std::size_t i = first; i < last; ++i)
+    for (std::size_t i = patch.begin; i < patch.end; ++i)
     {
-        const Vector<3> arm = points[i].position - points[first].position;
+        const Vector<3> arm = points[i].position - points[patch.begin].position;
         outline.emplace_back(frame.col(1).dot(arm), frame.col(2).dot(arm));
         corners.push_back(i);
     }
@@ -85,13 +86,9 @@ void addPatchAreas(const std::vector<ContactPoint<3>>& points, std::size_t first
 std::vector<double> pointAreas(const Assembly<3>&, const std::vector<ContactPoint<3>>& points)
 {
     std::vector<double> areas(points.size(), 0);
-    for (std::size_t first = 0, last = 0; first < points.size(); first = last)
+    for (const PointRange& patch : pointsOfJoints(points))
     {
-        while (last < points.size() && points[last].joint == points[first].joint)
-        {
-            ++last;
-        }
-        addPatchAreas(points, first, last, areas);
+        addPatchAreas(points, patch, areas);
     }
     return areas;
 }

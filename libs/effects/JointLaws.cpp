@@ -2,6 +2,7 @@
 /// Laws of contact points, joint by joint.
 #include "effects/JointLaws.h"
 
+#include "contact/PointsOfJoints.h"
 #include "dictionary/DictionaryPattern.h"
 #include "effects/EffectList.h"
 
@@ -286,6 +287,20 @@ std::vector<JointLaw> lawsOfEffects()
     return laws;
 }
 
+/// \param points of the assembly, from which the example is taken
+template<int Dim>
+FatalIOError noSuchJoint(const ContactProperties& contact, const std::string& name,
+                         const Assembly<Dim>& assembly, const std::vector<ContactPoint<Dim>>& points)
+{
+    return FatalIOError(
+        fmt::format("There is no joint {}. Joints are named by their blocks, as {}, or by the zones of both, "
+                    "in either order.",
+                    name,
+                    points.empty() ? std::string("3-7")
+                                   : jointName(assembly, points[0].block, points[0].neighbour)),
+        contact.locations.of("joints/" + name));
+}
+
 } // namespace
 
 std::optional<double> stressOf(const std::optional<JointStrength>& ofJoint,
@@ -335,9 +350,9 @@ std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly
     std::set<std::string> allNames;
     const JointProperties none;
     const std::vector<std::vector<std::string>> zones = zonesOfBlocks(assembly);
-    for (std::size_t first = 0, last = 0; first < points.size(); first = last)
+    for (const PointRange& range : pointsOfJoints(points))
     {
-        const ContactPoint<Dim>& point = points[first];
+        const ContactPoint<Dim>& point = points[range.begin];
         const std::string name = jointName(assembly, point.block, point.neighbour);
         const JointNames names =
             contact.joints.empty() ? JointNames() : jointNames(assembly, zones, point.block, point.neighbour);
@@ -348,11 +363,11 @@ std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly
         }
         const NamedJoint* entry = contact.joints.empty() ? nullptr : entryOf(contact, names, isMatched);
         const JointOfCase joint{contact, entry ? entry->second : none, name, entry ? entry->first.text : ""};
-        for (; last < points.size() && points[last].joint == point.joint; ++last)
+        for (std::size_t i = range.begin; i < range.end; ++i)
         {
             for (const JointLaw& effect : effects)
             {
-                effect.limit(joint, areas[last], laws[last]);
+                effect.limit(joint, areas[i], laws[i]);
             }
         }
     }
@@ -362,15 +377,7 @@ std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly
                              && isOfLaterJoint(contact.joints[i], assembly, zones);
         if (!isMatched[i] && !isLater)
         {
-            const std::string& name = contact.joints[i].first.text;
-            throw FatalIOError(fmt::format("There is no joint {}. Joints are named by their blocks, as {}, "
-                                           "or by the zones of both, in "
-                                           "either order.",
-                                           name,
-                                           points.empty()
-                                               ? std::string("3-7")
-                                               : jointName(assembly, points[0].block, points[0].neighbour)),
-                               contact.locations.of("joints/" + name));
+            throw noSuchJoint(contact, contact.joints[i].first.text, assembly, points);
         }
     }
     if (hasAlternatives)

@@ -34,11 +34,11 @@ double leastInTable(const std::vector<Vector<Dim>>& forces)
 /// the mean of the points.
 Vector<2> middleOfEnds(const std::vector<ContactPoint<2>>& points, const JointSum<2>& joint)
 {
-    const Vector<2>& first = points[joint.begin].position;
-    const Vector<2> direction = tangent(points[joint.begin]);
+    const Vector<2>& first = points[joint.points.begin].position;
+    const Vector<2> direction = tangent(points[joint.points.begin]);
     double lower = 0;
     double upper = 0;
-    for (std::size_t i = joint.begin; i < joint.end; ++i)
+    for (std::size_t i = joint.points.begin; i < joint.points.end; ++i)
     {
         const double along = direction.dot(points[i].position - first);
         lower = std::min(lower, along);
@@ -50,11 +50,11 @@ Vector<2> middleOfEnds(const std::vector<ContactPoint<2>>& points, const JointSu
 Vector<3> meanPlace(const std::vector<ContactPoint<3>>& points, const JointSum<3>& joint)
 {
     Vector<3> sum = Vector<3>::Zero();
-    for (std::size_t i = joint.begin; i < joint.end; ++i)
+    for (std::size_t i = joint.points.begin; i < joint.points.end; ++i)
     {
         sum += points[i].position;
     }
-    return sum / static_cast<double>(joint.end - joint.begin);
+    return sum / static_cast<double>(joint.points.size());
 }
 
 } // namespace
@@ -88,18 +88,18 @@ std::string thrustText(const std::vector<ContactPoint<2>>& points, const std::ve
         {
             continue;
         }
-        const Vector<2> direction = tangent(points[joint.begin]);
+        const Vector<2> direction = tangent(points[joint.points.begin]);
         const Vector<2> middle = middleOfEnds(points, joint);
         double moment = 0;
-        for (std::size_t i = joint.begin; i < joint.end; ++i)
+        for (std::size_t i = joint.points.begin; i < joint.points.end; ++i)
         {
             moment += forces[i].x() * direction.dot(points[i].position - middle);
         }
         const double eccentricity = joint.hasCentreOfPressure() ? moment / force.x() : 0;
         const Vector<2> pressure = middle + eccentricity * direction;
         text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {} {}\n", pressure.x(), pressure.y(),
-                            force.x(), force.y(), moment, eccentricity, points[joint.begin].block,
-                            points[joint.begin].neighbour);
+                            force.x(), force.y(), moment, eccentricity, points[joint.points.begin].block,
+                            points[joint.points.begin].neighbour);
     }
     return text;
 }
@@ -116,11 +116,11 @@ std::string thrustText(const std::vector<ContactPoint<3>>& points, const std::ve
         {
             continue;
         }
-        const ContactPoint<3>& first = points[joint.begin];
+        const ContactPoint<3>& first = points[joint.points.begin];
         const Vector<3> centre =
             joint.hasCentreOfPressure() ? joint.centreOfPressure() : meanPlace(points, joint);
         double torsion = 0;
-        for (std::size_t i = joint.begin; i < joint.end; ++i)
+        for (std::size_t i = joint.points.begin; i < joint.points.end; ++i)
         {
             const Vector<3> arm = points[i].position - centre;
             const Vector<3> at = contactFrame(points[i]) * forces[i];

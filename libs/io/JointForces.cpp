@@ -19,18 +19,17 @@ std::vector<JointSum<Dim>> jointSums(const std::vector<ContactPoint<Dim>>& point
             fmt::format("{} forces were given for {} contact points.", forces.size(), points.size()));
     }
     std::vector<JointSum<Dim>> joints;
-    for (std::size_t i = 0; i < points.size(); ++i)
+    for (const PointRange& range : pointsOfJoints(points))
     {
-        if (i == 0 || points[i].joint != points[i - 1].joint)
+        JointSum<Dim>& joint = joints.emplace_back();
+        joint.points = range;
+        for (std::size_t i = range.begin; i < range.end; ++i)
         {
-            joints.emplace_back().begin = i;
+            joint.inJoint += forces[i];
+            joint.force += contactFrame(points[i]) * forces[i];
+            joint.leverage += forces[i].x() * points[i].position;
+            joint.size += forces[i].norm();
         }
-        JointSum<Dim>& joint = joints.back();
-        joint.end = i + 1;
-        joint.inJoint += forces[i];
-        joint.force += contactFrame(points[i]) * forces[i];
-        joint.leverage += forces[i].x() * points[i].position;
-        joint.size += forces[i].norm();
     }
     return joints;
 }
@@ -44,7 +43,7 @@ std::vector<JointForce<Dim>> jointForces(const std::vector<ContactPoint<Dim>>& p
     {
         if (joint.normalForce() > 0 && joint.hasCentreOfPressure())
         {
-            const ContactPoint<Dim>& point = points[joint.begin];
+            const ContactPoint<Dim>& point = points[joint.points.begin];
             pressed.push_back({joint.centreOfPressure(), joint.force, point.block, point.neighbour});
         }
     }

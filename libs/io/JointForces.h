@@ -2,10 +2,9 @@
 /// Resultants of the forces at the points of each joint, for tables, fields and pictures.
 #pragma once
 
-#include "contact/ContactPoint.h"
+#include "contact/PointsOfJoints.h"
 
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace drystone
@@ -15,8 +14,7 @@ namespace drystone
 template<int Dim>
 struct JointSum
 {
-    std::size_t begin = 0;                      ///< its points: begin to end - 1
-    std::size_t end = 0;                        ///< likewise
+    PointRange points = {};                     ///< of the joint
     Vector<Dim> inJoint = Vector<Dim>::Zero();  ///< on the first block along (normal, tangents) [N]
     Vector<Dim> force = Vector<Dim>::Zero();    ///< the same along the axes of the world [N]
     Vector<Dim> leverage = Vector<Dim>::Zero(); ///< normal forces times the places where they act [N m]

@@ -2,6 +2,8 @@
 /// Rates in each contact frame say what points of a joint do; hulls are by Andrew's monotone chain.
 #include "io/JointMarks.h"
 
+#include "contact/PointsOfJoints.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -61,10 +63,10 @@ std::vector<Vector<3>> endsOf(const std::vector<Vector<3>>& places)
 }
 
 /// The ends of a joint of the plane.
-std::vector<Vector<3>> hullOf(const std::vector<ContactPoint<2>>& points, std::size_t first, std::size_t last)
+std::vector<Vector<3>> hullOf(const std::vector<ContactPoint<2>>& points, const PointRange& joint)
 {
     std::vector<Vector<3>> places;
-    for (std::size_t i = first; i < last; ++i)
+    for (std::size_t i = joint.begin; i < joint.end; ++i)
     {
         places.push_back(inSpace(points[i].position));
     }
@@ -72,18 +74,18 @@ std::vector<Vector<3>> hullOf(const std::vector<ContactPoint<2>>& points, std::s
 }
 
 /// The convex hull of the points of a joint, in order round it (Andrew's monotone chain).
-std::vector<Vector<3>> hullOf(const std::vector<ContactPoint<3>>& points, std::size_t first, std::size_t last)
+std::vector<Vector<3>> hullOf(const std::vector<ContactPoint<3>>& points, const PointRange& joint)
 {
-    const Eigen::Matrix3d frame = contactFrame(points[first]);
+    const Eigen::Matrix3d frame = contactFrame(points[joint.begin]);
     struct Place
     {
         Vector<2> inPlane;
         Vector<3> position;
     };
     std::vector<Place> places;
-    for (std::size_t i = first; i < last; ++i)
+    for (std::size_t i = joint.begin; i < joint.end; ++i)
     {
-        const Vector<3> arm = points[i].position - points[first].position;
+        const Vector<3> arm = points[i].position - points[joint.begin].position;
         places.push_back({{frame.col(1).dot(arm), frame.col(2).dot(arm)}, points[i].position});
     }
     std::sort(places.begin(), places.end(),
@@ -136,23 +138,23 @@ std::vector<JointMark> jointMarks(const Assembly<Dim>& assembly, const std::vect
     }
     const double least = still * fastest;
     std::vector<JointMark> marks;
-    for (std::size_t first = 0, last = 0; first < points.size(); first = last)
+    for (const PointRange& joint : pointsOfJoints(points))
     {
         JointMark mark;
-        mark.block = points[first].block;
-        mark.neighbour = points[first].neighbour;
+        mark.block = points[joint.begin].block;
+        mark.neighbour = points[joint.begin].neighbour;
         std::vector<Vector<3>> together;
         bool slides = false;
         bool parts = false;
-        for (; last < points.size() && points[last].joint == points[first].joint; ++last)
+        for (std::size_t i = joint.begin; i < joint.end; ++i)
         {
-            const Vector<Dim>& rate = apart[last];
+            const Vector<Dim>& rate = apart[i];
             const double slip = rate.template tail<Dim - 1>().norm();
             if (rate.norm() <= least)
             {
-                together.push_back(inSpace(points[last].position));
+                together.push_back(inSpace(points[i].position));
             }
-            else if (slip > least && rate.x() <= friction[last] * slip + least)
+            else if (slip > least && rate.x() <= friction[i] * slip + least)
             {
                 slides = true;
             }
@@ -170,7 +172,7 @@ std::vector<JointMark> jointMarks(const Assembly<Dim>& assembly, const std::vect
         else if (together.empty() && slides)
         {
             mark.motion = JointMotion::sliding;
-            mark.points = hullOf(points, first, last);
+            mark.points = hullOf(points, joint);
             marks.push_back(std::move(mark));
         }
     }

@@ -36,12 +36,12 @@ TEST(JointSum, HasTheForcesInTheJointAndInTheWorld)
     points[2] = contact(1, 2, 1, {2, 5}, {1, 0});
     const auto joints = jointSums(points, {{1, 0.25}, {3, 0.25}, {-2, 1}});
     ASSERT_EQ(joints.size(), 2u);
-    EXPECT_EQ(joints[0].begin, 0u);
-    EXPECT_EQ(joints[0].end, 2u);
+    EXPECT_EQ(joints[0].points.begin, 0u);
+    EXPECT_EQ(joints[0].points.end, 2u);
     EXPECT_EQ(joints[0].inJoint, Vector<2>(4, 0.5));
     EXPECT_EQ(joints[0].force, Vector<2>(0.5, 4));
-    EXPECT_EQ(joints[1].begin, 2u);
-    EXPECT_EQ(joints[1].end, 3u);
+    EXPECT_EQ(joints[1].points.begin, 2u);
+    EXPECT_EQ(joints[1].points.end, 3u);
     EXPECT_EQ(joints[1].force, Vector<2>(-2, -1)); // the tangent is the normal turned by -90 degrees
     EXPECT_EQ(joints[1].centreOfPressure(), Vector<2>(2, 5));
     EXPECT_THROW(jointSums(points, {{1, 0}}), FatalError);

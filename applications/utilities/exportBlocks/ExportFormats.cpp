@@ -2,8 +2,8 @@
 /// Each format with what it takes of a case, and what of it is lost.
 #include "ExportFormats.h"
 
-#include "contact/ContactPoint.h"
 #include "contact/JointClosure.h"
+#include "contact/PointsOfJoints.h"
 #include "core/Log.h"
 #include "effects/EffectList.h"
 
@@ -30,15 +30,15 @@ std::vector<StatedJoint<3>> jointsOf(const Assembly<Dim>& assembly)
     {
         Assembly<3> closed = assembly;
         closeJoints(closed);
-        int last = -1;
-        for (const ContactPoint<3>& point : findContactPoints(closed))
+        const std::vector<ContactPoint<3>> points = findContactPoints(closed);
+        for (const PointRange& range : pointsOfJoints(points))
         {
-            if (point.joint != last)
+            const ContactPoint<3>& first = points[range.begin];
+            joints.push_back({first.block, first.neighbour, first.normal, {}});
+            for (std::size_t i = range.begin; i < range.end; ++i)
             {
-                joints.push_back({point.block, point.neighbour, point.normal, {}});
-                last = point.joint;
+                joints.back().points.push_back(points[i].position);
             }
-            joints.back().points.push_back(point.position);
         }
     }
     return joints;

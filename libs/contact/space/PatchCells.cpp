@@ -2,6 +2,7 @@
 /// Cutting of patches, by indices: cells that share an edge share what cuts it.
 #include "contact/space/PatchCells.h"
 
+#include "contact/PointsOfJoints.h"
 #include "geometry/Box.h"
 #include "geometry/PolygonIntersection.h"
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace drystone
 {
@@ -137,83 +139,103 @@ PatchCells patchFrom(std::vector<ContactPoint<3>> corners)
     return patch;
 }
 
+/// A line through a patch, and where it crosses edges.
+struct CutLine
+{
+    std::vector<double> side;                     ///< of each vertex, its distance; 0: on the line [m]
+    std::vector<int> onLine;                      ///< vertices there
+    std::map<std::pair<int, int>, int> crossings; ///< vertex in an edge, by its ends, lower index first
+};
+
+CutLine lineAcross(const PatchCells& patch, const Vector<2>& normal, double offset)
+{
+    CutLine line;
+    for (const Vector<2>& vertex : patch.vertices)
+    {
+        const double distance = normal.dot(vertex) - offset;
+        if (std::abs(distance) <= samePlace * patch.extent)
+        {
+            line.onLine.push_back(static_cast<int>(line.side.size()));
+            line.side.push_back(0);
+        }
+        else
+        {
+            line.side.push_back(distance);
+        }
+    }
+    return line;
+}
+
+/// The vertex where the line crosses an edge: cells that share the edge share it.
+int crossingOf(CutLine& line, int from, int to, PatchCells& patch)
+{
+    const auto [lower, upper] = std::minmax(from, to);
+    const auto [entry, isNew] = line.crossings.try_emplace({lower, upper}, 0);
+    if (isNew)
+    {
+        // Of a concave patch edges may lie on parts of others, whose vertices are not their own.
+        const double share = line.side[lower] / (line.side[lower] - line.side[upper]);
+        entry->second =
+            vertexAt(patch, (1 - share) * patch.vertices[lower] + share * patch.vertices[upper], line.onLine);
+    }
+    return entry->second;
+}
+
+/// The parts of a cell before and beyond a line that cuts it.
+std::pair<std::vector<int>, std::vector<int>> partsOf(const std::vector<int>& cell, CutLine& line,
+                                                      PatchCells& patch)
+{
+    std::vector<int> before;
+    std::vector<int> beyond;
+    for (std::size_t i = 0; i < cell.size(); ++i)
+    {
+        const int from = cell[i];
+        const int to = cell[(i + 1) % cell.size()];
+        if (line.side[from] <= 0)
+        {
+            before.push_back(from);
+        }
+        if (line.side[from] >= 0)
+        {
+            beyond.push_back(from);
+        }
+        if (line.side[from] * line.side[to] < 0)
+        {
+            const int between = crossingOf(line, from, to, patch);
+            before.push_back(between);
+            beyond.push_back(between);
+        }
+    }
+    return {std::move(before), std::move(beyond)};
+}
+
 } // namespace
 
 std::vector<PatchCells> patchCells(const std::vector<ContactPoint<3>>& corners)
 {
     std::vector<PatchCells> patches;
-    for (auto first = corners.begin(); first != corners.end();)
+    for (const PointRange& joint : pointsOfJoints(corners))
     {
-        const auto last = std::find_if(
-            first, corners.end(), [&](const ContactPoint<3>& point) { return point.joint != first->joint; });
-        patches.push_back(patchFrom({first, last}));
-        first = last;
+        const ContactPoint<3>* first = &corners[joint.begin];
+        patches.push_back(patchFrom({first, first + joint.size()}));
     }
     return patches;
 }
 
 bool cutAlong(PatchCells& patch, const Vector<2>& normal, double offset)
 {
-    std::vector<double> side;
-    std::vector<int> onLine;
-    for (const Vector<2>& vertex : patch.vertices)
-    {
-        const double distance = normal.dot(vertex) - offset;
-        if (std::abs(distance) <= samePlace * patch.extent)
-        {
-            onLine.push_back(static_cast<int>(side.size()));
-            side.push_back(0);
-        }
-        else
-        {
-            side.push_back(distance);
-        }
-    }
-    std::map<std::pair<int, int>, int> crossings; // of an edge, lower index first
-    const auto crossing = [&](int from, int to)
-    {
-        const auto [lower, upper] = std::minmax(from, to);
-        const auto [entry, isNew] = crossings.try_emplace({lower, upper}, 0);
-        if (isNew)
-        {
-            // Of a concave patch edges may lie on parts of others, whose vertices are not their own.
-            const double share = side[lower] / (side[lower] - side[upper]);
-            entry->second =
-                vertexAt(patch, (1 - share) * patch.vertices[lower] + share * patch.vertices[upper], onLine);
-        }
-        return entry->second;
-    };
+    CutLine line = lineAcross(patch, normal, offset);
     std::vector<std::vector<int>> cells;
     for (std::vector<int>& cell : patch.cells)
     {
         const auto [lowest, highest] = std::minmax_element(
-            cell.begin(), cell.end(), [&](int one, int two) { return side[one] < side[two]; });
-        if (side[*lowest] >= 0 || side[*highest] <= 0)
+            cell.begin(), cell.end(), [&](int one, int two) { return line.side[one] < line.side[two]; });
+        if (line.side[*lowest] >= 0 || line.side[*highest] <= 0)
         {
             cells.push_back(std::move(cell));
             continue;
         }
-        std::vector<int> before;
-        std::vector<int> beyond;
-        for (std::size_t i = 0; i < cell.size(); ++i)
-        {
-            const int from = cell[i];
-            const int to = cell[(i + 1) % cell.size()];
-            if (side[from] <= 0)
-            {
-                before.push_back(from);
-            }
-            if (side[from] >= 0)
-            {
-                beyond.push_back(from);
-            }
-            if (side[from] * side[to] < 0)
-            {
-                const int between = crossing(from, to);
-                before.push_back(between);
-                beyond.push_back(between);
-            }
-        }
+        auto [before, beyond] = partsOf(cell, line, patch);
         cells.push_back(std::move(before));
         cells.push_back(std::move(beyond));
     }

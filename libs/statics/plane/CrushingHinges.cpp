@@ -2,6 +2,8 @@
 /// Lays each joint along a line and compares moments about its ends with those of the stress block.
 #include "statics/CrushingHinges.h"
 
+#include "contact/PointsOfJoints.h"
+
 #include <algorithm>
 
 namespace drystone
@@ -15,7 +17,7 @@ constexpr double samePlace = 1e-9;
 /// A joint laid along a line.
 struct Joint
 {
-    std::size_t first = 0, last = 0; ///< its points; the last one belongs to it
+    PointRange points;
     Vector<2> axis{1, 0};
     std::vector<double> place; ///< of each point from the first end [m]
     Strength total;            ///< of all points
@@ -23,19 +25,14 @@ struct Joint
     double length() const { return place.back(); }
 };
 
-Joint jointFrom(const JointPoints<2>& joints, std::size_t first)
+Joint jointFrom(const JointPoints<2>& joints, const PointRange& points)
 {
     Joint joint;
-    joint.first = joint.last = first;
+    joint.points = points;
     joint.total.crushing = 0;
-    while (joint.last + 1 < joints.points.size()
-           && joints.points[joint.last + 1].joint == joints.points[first].joint)
-    {
-        ++joint.last;
-    }
-    const Vector<2>& origin = joints.points[first].position;
-    joint.axis = (joints.points[joint.last].position - origin).normalized();
-    for (std::size_t i = first; i <= joint.last; ++i)
+    const Vector<2>& origin = joints.points[points.begin].position;
+    joint.axis = (joints.points[points.end - 1].position - origin).normalized();
+    for (std::size_t i = points.begin; i < points.end; ++i)
     {
         joint.place.push_back((joints.points[i].position - origin).dot(joint.axis));
         joint.total.cohesion += joints.strength[i].cohesion;
@@ -45,7 +42,8 @@ Joint jointFrom(const JointPoints<2>& joints, std::size_t first)
     return joint;
 }
 
-/// Where forces want a point, if they do.
+/// Where forces want a point, if they do: at u from an end, where P lies nearer to it than u/2
+/// (CrushingHinges.h).
 void findHinge(const Joint& joint, const Eigen::VectorXd& forces, double tolerance,
                std::vector<double>& hinges)
 {
@@ -53,7 +51,7 @@ void findHinge(const Joint& joint, const Eigen::VectorXd& forces, double toleran
     double moment = joint.total.tension * joint.length() / 2; // about the first end
     for (std::size_t i = 0; i < joint.place.size(); ++i)
     {
-        const double normal = forces[2 * static_cast<Eigen::Index>(joint.first + i)];
+        const double normal = forces[2 * static_cast<Eigen::Index>(joint.points.begin + i)];
         resultant += normal;
         moment += normal * joint.place[i];
     }
@@ -74,15 +72,74 @@ void findHinge(const Joint& joint, const Eigen::VectorXd& forces, double toleran
     }
 }
 
+/// The points of a joint, with one more at each hinge that is not at one of them already.
+struct DividedJoint
+{
+    std::vector<ContactPoint<2>> points;
+    std::vector<double> places; ///< of each point from the first end [m]
+};
+
+DividedJoint dividedAt(const std::vector<double>& hinges, const Joint& joint,
+                       const std::vector<ContactPoint<2>>& points)
+{
+    const ContactPoint<2>* first = &points[joint.points.begin];
+    DividedJoint divided{{first, first + joint.points.size()}, joint.place};
+    for (const double hinge : hinges)
+    {
+        const auto next = std::lower_bound(divided.places.begin(), divided.places.end(), hinge);
+        const double apart = samePlace * joint.length();
+        if (next == divided.places.begin() || next == divided.places.end() || *next - hinge < apart
+            || hinge - *(next - 1) < apart)
+        {
+            continue;
+        }
+        ContactPoint<2> point = *first;
+        point.position += hinge * joint.axis;
+        divided.points.insert(divided.points.begin() + (next - divided.places.begin()), point);
+        divided.places.insert(next, hinge);
+    }
+    return divided;
+}
+
+/// Adds a joint whose points are as they were, with what each bears.
+void keep(const Joint& joint, const JointPoints<2>& joints, JointPoints<2>& result)
+{
+    const auto add = [&](const auto& from, auto& to)
+    {
+        const auto* first = &from[joint.points.begin];
+        to.insert(to.end(), first, first + joint.points.size());
+    };
+    add(joints.points, result.points);
+    add(joints.friction, result.friction);
+    add(joints.strength, result.strength);
+}
+
+/// Adds a joint that has more points than before, its strength shared out by the lengths that they stand for:
+/// half the way to either neighbour, as in pointAreas.
+void share(const Joint& joint, const DividedJoint& divided, double friction, JointPoints<2>& result)
+{
+    const std::vector<double>& places = divided.places;
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        const double from = i > 0 ? places[i - 1] : places[i];
+        const double to = i + 1 < places.size() ? places[i + 1] : places[i];
+        const double part = (to - from) / 2 / joint.length();
+        result.points.push_back(divided.points[i]);
+        result.friction.push_back(friction);
+        result.strength.push_back(
+            {part * joint.total.cohesion, part * joint.total.tension, part * joint.total.crushing});
+    }
+}
+
 } // namespace
 
 bool addCrushingHinges(JointPoints<2>& joints, const std::vector<Eigen::VectorXd>& contactForces,
                        double tolerance)
 {
     JointPoints<2> result;
-    for (std::size_t first = 0; first < joints.points.size();)
+    for (const PointRange& points : pointsOfJoints(joints.points))
     {
-        const Joint joint = jointFrom(joints, first);
+        const Joint joint = jointFrom(joints, points);
         std::vector<double> hinges;
         for (const Eigen::VectorXd& forces : contactForces)
         {
@@ -91,47 +148,15 @@ bool addCrushingHinges(JointPoints<2>& joints, const std::vector<Eigen::VectorXd
                 findHinge(joint, forces, tolerance, hinges);
             }
         }
-        const auto at = [](std::size_t index) { return static_cast<std::ptrdiff_t>(index); };
-        const auto end = at(joint.last + 1);
-        std::vector<ContactPoint<2>> points(joints.points.begin() + at(first), joints.points.begin() + end);
-        std::vector<double> places = joint.place;
-        for (const double hinge : hinges)
+        const DividedJoint divided = dividedAt(hinges, joint, joints.points);
+        if (divided.points.size() == points.size())
         {
-            const auto next = std::lower_bound(places.begin(), places.end(), hinge);
-            const double apart = samePlace * joint.length();
-            if (next == places.begin() || next == places.end() || *next - hinge < apart
-                || hinge - *(next - 1) < apart)
-            {
-                continue;
-            }
-            ContactPoint<2> point = joints.points[first];
-            point.position += hinge * joint.axis;
-            points.insert(points.begin() + (next - places.begin()), point);
-            places.insert(next, hinge);
-        }
-        if (places.size() == joint.place.size())
-        {
-            result.points.insert(result.points.end(), points.begin(), points.end());
-            result.friction.insert(result.friction.end(), joints.friction.begin() + at(first),
-                                   joints.friction.begin() + end);
-            result.strength.insert(result.strength.end(), joints.strength.begin() + at(first),
-                                   joints.strength.begin() + end);
+            keep(joint, joints, result);
         }
         else
         {
-            for (std::size_t i = 0; i < points.size(); ++i)
-            {
-                // Half the way to the neighbours, as in pointAreas.
-                const double from = i > 0 ? places[i - 1] : places[i];
-                const double to = i + 1 < places.size() ? places[i + 1] : places[i];
-                const double share = (to - from) / 2 / joint.length();
-                result.points.push_back(points[i]);
-                result.friction.push_back(joints.friction[first]);
-                result.strength.push_back({share * joint.total.cohesion, share * joint.total.tension,
-                                           share * joint.total.crushing});
-            }
+            share(joint, divided, joints.friction[points.begin], result);
         }
-        first = joint.last + 1;
     }
     const bool isAny = result.points.size() > joints.points.size();
     joints = std::move(result);
