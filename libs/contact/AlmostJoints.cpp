@@ -58,7 +58,7 @@ std::string faultText(const Assembly<Dim>& assembly, const std::vector<Facing<Di
                     "structure.\n\nCorrect the coordinates in system/blockTextureDict",
                     blockName(assembly, worst.block), blockName(assembly, worst.neighbour),
                     asWritten<Dim>(placeOf(worst)), most, isApart(worst) ? "apart" : "in each other",
-                    usualJointTolerance(assembly, worst.isOblique),
+                    worst.isOblique ? usualObliqueTolerance(assembly) : usualToleranceAlongAxes(assembly),
                     pieces.size() > 1 ? fmt::format(" {} pairs of faces do so.", pieces.size()) : "");
     // One digit more than the faces need.
     const double unit = std::pow(10.0, std::floor(std::log10(most)));

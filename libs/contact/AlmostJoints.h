@@ -31,7 +31,7 @@ inline const Vector<3>& placeOf(const FacingPatch& patch)
 }
 
 /// Faces within CheckLimits::gap of each other that are no joint: openness above CheckLimits::jointTolerance,
-/// in space above usualJointTolerance too, since joints are not moved.
+/// in space above usualToleranceAlongAxes or usualObliqueTolerance too, since joints are not moved.
 std::vector<FacingPiece> findAlmostJoints(const Assembly<2>& assembly, const CheckLimits& limits = {});
 std::vector<FacingPatch> findAlmostJoints(const Assembly<3>& assembly, const CheckLimits& limits = {});
 

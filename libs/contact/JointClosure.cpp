@@ -63,6 +63,43 @@ JointTolerance jointTolerance(const Assembly<Dim>& assembly)
     return tolerance;
 }
 
+namespace
+{
+
+/// Moves the corners of all outlines to the places of their nodes, where lines of faces meet. \param exact
+/// what is nearer stays where it is [m] \param farthest that a corner may move [m] \return whether all could
+/// be moved and left outlines that have no fault
+bool moveCorners(Assembly<2>& assembly, const CornerNodes& nodes, const FaceLines& faces, double exact,
+                 double farthest)
+{
+    for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
+    {
+        Polygon& outline = assembly.blocks[block].outline;
+        bool isMoved = false;
+        for (std::size_t i = 0; i < outline.size(); ++i)
+        {
+            const int node = nodes.ofCorner[nodes.first[block] + i];
+            const double move = (nodes.place[node] - outline[i]).norm();
+            if (!faces.linesAt[node].empty() && move > exact)
+            {
+                if (!(move <= farthest))
+                {
+                    return false;
+                }
+                outline[i] = nodes.place[node];
+                isMoved = true;
+            }
+        }
+        if (isMoved && !outlineFault(outline).empty())
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
 void closeJoints(Assembly<2>& assembly)
 {
     const JointTolerance tolerance = jointTolerance(assembly);
@@ -94,28 +131,9 @@ void closeJoints(Assembly<2>& assembly)
     fitLines(faces, nodes.place, exact);
 
     Assembly<2> closed = assembly;
-    for (std::size_t block = 0; block < closed.blocks.size(); ++block)
+    if (!moveCorners(closed, nodes, faces, exact, farthestMove * reach))
     {
-        Polygon& outline = closed.blocks[block].outline;
-        bool isMoved = false;
-        for (std::size_t i = 0; i < outline.size(); ++i)
-        {
-            const int node = nodes.ofCorner[nodes.first[block] + i];
-            const double move = (nodes.place[node] - outline[i]).norm();
-            if (!faces.linesAt[node].empty() && move > exact)
-            {
-                if (!(move <= farthestMove * reach))
-                {
-                    return;
-                }
-                outline[i] = nodes.place[node];
-                isMoved = true;
-            }
-        }
-        if (isMoved && !outlineFault(outline).empty())
-        {
-            return;
-        }
+        return;
     }
     closed.closure.joints = static_cast<int>(open);
     for (const FacingPiece& piece : pieces)
@@ -153,8 +171,8 @@ FacingTolerance closedFacing(const Assembly<2>& assembly)
 
 FacingTolerance closedFacing(const Assembly<3>& assembly)
 {
-    const double distance = usualJointTolerance(assembly, false);
-    const double oblique = usualJointTolerance(assembly, true);
+    const double distance = usualToleranceAlongAxes(assembly);
+    const double oblique = usualObliqueTolerance(assembly);
     const double larger = std::max(distance, oblique);
     FacingTolerance tolerance = facingTolerance(larger, larger);
     tolerance.distance = distance;
@@ -163,10 +181,15 @@ FacingTolerance closedFacing(const Assembly<3>& assembly)
 }
 
 template<int Dim>
-double usualJointTolerance(const Assembly<Dim>& assembly, bool isOblique)
+double usualToleranceAlongAxes(const Assembly<Dim>& assembly)
 {
-    return std::max(usualTolerance * meanBlockSize(assembly),
-                    isOblique ? assembly.closure.tolerance : assembly.closure.alongAxes);
+    return std::max(usualTolerance * meanBlockSize(assembly), assembly.closure.alongAxes);
+}
+
+template<int Dim>
+double usualObliqueTolerance(const Assembly<Dim>& assembly)
+{
+    return std::max(usualTolerance * meanBlockSize(assembly), assembly.closure.tolerance);
 }
 
 template<int Dim>
@@ -194,8 +217,10 @@ void printClosure(const Assembly<Dim>& assembly)
 
 template JointTolerance jointTolerance(const Assembly<2>& assembly);
 template JointTolerance jointTolerance(const Assembly<3>& assembly);
-template double usualJointTolerance(const Assembly<2>& assembly, bool isOblique);
-template double usualJointTolerance(const Assembly<3>& assembly, bool isOblique);
+template double usualToleranceAlongAxes(const Assembly<2>& assembly);
+template double usualToleranceAlongAxes(const Assembly<3>& assembly);
+template double usualObliqueTolerance(const Assembly<2>& assembly);
+template double usualObliqueTolerance(const Assembly<3>& assembly);
 template void printClosure(const Assembly<2>& assembly);
 template void printClosure(const Assembly<3>& assembly);
 

@@ -44,9 +44,14 @@ void closeJoints(Assembly<3>& assembly);
 FacingTolerance closedFacing(const Assembly<2>& assembly);
 FacingTolerance closedFacing(const Assembly<3>& assembly);
 
-/// How near the two faces must be to be a joint [m]. \param isOblique see FacingPiece, FacingPatch
+/// How near two faces must be to be a joint [m], where both are along the axes of the coordinates
+/// (FacingPiece::isOblique, FacingPatch::isOblique).
 template<int Dim>
-double usualJointTolerance(const Assembly<Dim>& assembly, bool isOblique);
+double usualToleranceAlongAxes(const Assembly<Dim>& assembly);
+
+/// The same of two faces one of which is oblique [m].
+template<int Dim>
+double usualObliqueTolerance(const Assembly<Dim>& assembly);
 
 /// Says on the log which joints were closed: `Joints: 82 closed whose faces were up to 1.1e-06 m from
 /// meeting, ...`, in space which were taken as they are, and how many faces almost meet and are apart on

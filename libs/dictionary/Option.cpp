@@ -47,23 +47,30 @@ SourceLocation placeOf(double number, const Entry& entry)
     return entry.location();
 }
 
-std::string rangeText(double lowest, bool lowestAllowed, double highest, bool highestAllowed)
+/// One end of a range; infinite where there is none.
+struct Bound
 {
-    const bool hasLowest = std::isfinite(lowest);
-    const bool hasHighest = std::isfinite(highest);
-    if (hasLowest && hasHighest && lowestAllowed && highestAllowed)
+    double value = 0;
+    bool isAllowed = true; ///< the value itself is in the range
+};
+
+std::string rangeText(const Bound& lowest, const Bound& highest)
+{
+    const bool hasLowest = std::isfinite(lowest.value);
+    const bool hasHighest = std::isfinite(highest.value);
+    if (hasLowest && hasHighest && lowest.isAllowed && highest.isAllowed)
     {
-        return fmt::format("from {} to {}", lowest, highest);
+        return fmt::format("from {} to {}", lowest.value, highest.value);
     }
     std::string text;
     if (hasLowest)
     {
-        text = fmt::format("{} {}", lowestAllowed ? "at least" : "above", lowest);
+        text = fmt::format("{} {}", lowest.isAllowed ? "at least" : "above", lowest.value);
     }
     if (hasHighest)
     {
-        text +=
-            fmt::format("{}{} {}", text.empty() ? "" : ", ", highestAllowed ? "at most" : "below", highest);
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", highest.isAllowed ? "at most" : "below",
+                            highest.value);
     }
     return text;
 }
@@ -81,7 +88,7 @@ Option& Option::above(double limit)
 {
     lowest = limit;
     lowestAllowed = false;
-    about.range = rangeText(lowest, lowestAllowed, highest, highestAllowed);
+    about.range = rangeText({lowest, lowestAllowed}, {highest, highestAllowed});
     return *this;
 }
 
@@ -89,7 +96,7 @@ Option& Option::atLeast(double limit)
 {
     lowest = limit;
     lowestAllowed = true;
-    about.range = rangeText(lowest, lowestAllowed, highest, highestAllowed);
+    about.range = rangeText({lowest, lowestAllowed}, {highest, highestAllowed});
     return *this;
 }
 
@@ -97,7 +104,7 @@ Option& Option::below(double limit)
 {
     highest = limit;
     highestAllowed = false;
-    about.range = rangeText(lowest, lowestAllowed, highest, highestAllowed);
+    about.range = rangeText({lowest, lowestAllowed}, {highest, highestAllowed});
     return *this;
 }
 
@@ -105,7 +112,7 @@ Option& Option::atMost(double limit)
 {
     highest = limit;
     highestAllowed = true;
-    about.range = rangeText(lowest, lowestAllowed, highest, highestAllowed);
+    about.range = rangeText({lowest, lowestAllowed}, {highest, highestAllowed});
     return *this;
 }
 
@@ -120,7 +127,7 @@ Option& Option::usual(double from, double to, std::string_view note)
     usuallyFrom = from;
     usuallyTo = to;
     usualNote = note;
-    about.usual = rangeText(from, true, to, true);
+    about.usual = rangeText({from}, {to});
     return *this;
 }
 

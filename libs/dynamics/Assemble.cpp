@@ -11,14 +11,26 @@ namespace drystone
 namespace
 {
 
+/// Whether the points of a step are those of all others.
+enum class PointLayout
+{
+    asBuilt, ///< they are, in the same order
+    followed ///< they are found anew where the blocks are
+};
+
+template<int Dim>
+PointLayout layoutOf(const Motion<Dim>& motion)
+{
+    return motion.contacts ? PointLayout::followed : PointLayout::asBuilt;
+}
+
 /// Which of the points of an earlier step, or of another attempt, each of this one is, or -1 where it is new.
-/// \param areAsBuilt they stay as built, in the same order
 template<int Dim>
 std::vector<int> pointsAmong(const std::vector<ContactPoint<Dim>>& earlier,
-                             const std::vector<ContactPoint<Dim>>& points, bool areAsBuilt)
+                             const std::vector<ContactPoint<Dim>>& points, PointLayout layout)
 {
     std::vector<int> old(points.size(), -1);
-    if (areAsBuilt)
+    if (layout == PointLayout::asBuilt)
     {
         std::iota(old.begin(), old.end(), 0);
         return old;
@@ -102,20 +114,28 @@ Eigen::VectorXd atPoints(const std::vector<int>& old, const ValueOf& valueOf)
     return values;
 }
 
-/// A step's guess: where the blocks are heading, and what the last step knew of its points.
-/// \param areElastic the points are springs, whose forces are not a guess
+/// Which of the points of the last step each of this one is, see pointsAmong; where points are springs, whose
+/// forces are not a guess, also that of another corner at its place.
 template<int Dim>
-StepGuess guessFrom(const Motion<Dim>& motion, const std::vector<ContactPoint<Dim>>& points, double timeStep,
-                    bool areElastic)
+std::vector<int> pointsOfLastStep(const Step<Dim>& step)
 {
-    std::vector<int> old = pointsAmong<Dim>(motion.points, points, !motion.contacts);
+    const Motion<Dim>& motion = step.motion;
+    std::vector<int> old = pointsAmong<Dim>(motion.points, step.points, layoutOf(motion));
     if constexpr (Dim == 2)
     {
-        if (areElastic && motion.contacts)
+        if (traitsOf(step.scene.effects).isCompliant && motion.contacts)
         {
-            addPointsPassed(motion.points, points, old);
+            addPointsPassed(motion.points, step.points, old);
         }
     }
+    return old;
+}
+
+/// A step's guess: where the blocks are heading, and what the last step knew of its points.
+/// \param old as pointsOfLastStep has found it
+template<int Dim>
+StepGuess guessFrom(const Motion<Dim>& motion, const std::vector<int>& old, double timeStep)
+{
     const auto of = [](const Eigen::VectorXd& values)
     { return [&values](int point) { return values.segment<Dim>(Dim * point); }; };
     StepGuess guess;
@@ -152,13 +172,12 @@ void assemble(Step<Dim>& step)
     step.program = thetaStepProgram(step.mass, step.motion.state.velocity, step.load, step.points,
                                     step.columns, learnFriction(step), step.scheme);
     step.loadAtStart = step.program.load;
-    step.guess =
-        guessFrom(step.motion, step.points, step.scheme.timeStep, traitsOf(step.scene.effects).isCompliant);
+    step.guess = guessFrom(step.motion, pointsOfLastStep(step), step.scheme.timeStep);
     if (step.attemptForces && !step.attemptForces->start.forces.empty())
     {
         const PointForces<Dim>& start = step.attemptForces->start;
         step.nearForce =
-            atPoints<Dim>(pointsAmong<Dim>(start.points, step.points, !step.motion.contacts),
+            atPoints<Dim>(pointsAmong<Dim>(start.points, step.points, layoutOf(step.motion)),
                           [&](int point) { return start.forces[static_cast<std::size_t>(point)]; });
     }
 }

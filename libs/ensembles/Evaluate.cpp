@@ -62,8 +62,15 @@ struct ParameterLine
     int number = 0; ///< in the file, from 1
 };
 
-/// Lines with two words each. \param valueFirst `value name`, else `name value`
-void takePairs(const std::vector<ParameterLine>& lines, std::size_t begin, std::size_t count, bool valueFirst,
+/// What stands first in a line of two words.
+enum class FirstWord
+{
+    name,
+    value
+};
+
+/// Lines with two words each, a name and its value.
+void takePairs(const std::vector<ParameterLine>& lines, std::size_t begin, std::size_t count, FirstWord first,
                const fs::path& file, std::map<std::string, SampleValue>& values)
 {
     for (std::size_t i = begin; i < begin + count; ++i)
@@ -82,7 +89,8 @@ void takePairs(const std::vector<ParameterLine>& lines, std::size_t begin, std::
                                            fmt::join(words.begin() + 2, words.end(), " ")),
                                place);
         }
-        takeValue(words[valueFirst ? 1 : 0], words[valueFirst ? 0 : 1], place, values);
+        const std::size_t name = first == FirstWord::name ? 0 : 1;
+        takeValue(words[name], words[1 - name], place, values);
     }
 }
 
@@ -127,7 +135,7 @@ std::map<std::string, SampleValue> readParameters(const fs::path& file)
         const bool isDakota = words.size() == 2 && words[1] == "variables";
         if (isDakota || words.size() == 1)
         {
-            takePairs(lines, 1, count, isDakota, file, values);
+            takePairs(lines, 1, count, isDakota ? FirstWord::value : FirstWord::name, file, values);
             return values;
         }
     }

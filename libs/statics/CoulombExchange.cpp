@@ -24,6 +24,10 @@ constexpr double smallestChange = 1e-3;
 /// Of the forces that keep points from moving, whose weights in the objective are at most 1.
 constexpr double widestBound = 1e4;
 
+/// What a component of the rates of a point must not do, as the limits of the force that prevents it.
+constexpr Strength mustNotClose = {};
+constexpr Strength mustNotMove = {.tension = widestBound, .crushing = widestBound};
+
 /// The mechanisms that forces allow by Coulomb's law, L'y = 1, as the multipliers of a program; its load, the
 /// objective, is for others to say. Every component of A'y that is restricted is a point with a normal force
 /// alone: one that must not close, or one that must not move, which a force between wide bounds prevents.
@@ -34,7 +38,8 @@ ConeProgram<Rows, Forces> ratesProgram(const ConeProgram<Rows, Forces>& given, c
     ConeProgram<Rows, Forces> rates;
     rates.bodies = given.bodies;
     rates.liveLoad = given.liveLoad;
-    const auto restrict = [&](int point, const Eigen::Matrix<double, Forces, 1>& component, bool isOneSided)
+    const auto restrict =
+        [&](int point, const Eigen::Matrix<double, Forces, 1>& component, const Strength& limits)
     {
         ConeColumns<Rows, Forces> columns = given.contacts[static_cast<std::size_t>(point)];
         for (auto* side : {&columns.onFirst, &columns.onSecond})
@@ -44,8 +49,7 @@ ConeProgram<Rows, Forces> ratesProgram(const ConeProgram<Rows, Forces>& given, c
         }
         rates.contacts.push_back(columns);
         rates.friction.push_back(0);
-        rates.strength.push_back(isOneSided ? Strength{}
-                                            : Strength{.tension = widestBound, .crushing = widestBound});
+        rates.strength.push_back(limits);
     };
     using Force = Eigen::Matrix<double, Forces, 1>;
     for (int point = 0; point < given.points(); ++point)
@@ -57,7 +61,7 @@ ConeProgram<Rows, Forces> ratesProgram(const ConeProgram<Rows, Forces>& given, c
         Force component = Force::Unit(0);
         const bool opens = force[0] <= -strength.tension + none;
         const bool closes = force[0] >= strength.crushing - none;
-        restrict(point, closes ? Force(-component) : component, opens || closes);
+        restrict(point, closes ? Force(-component) : component, opens || closes ? mustNotClose : mustNotMove);
         if (limit <= none)
         {
             continue;
@@ -66,16 +70,16 @@ ConeProgram<Rows, Forces> ratesProgram(const ConeProgram<Rows, Forces>& given, c
         {
             for (int i = 1; i < Forces; ++i)
             {
-                restrict(point, Force::Unit(i), false);
+                restrict(point, Force::Unit(i), mustNotMove);
             }
             continue;
         }
         component << 0, -shear / shear.norm();
-        restrict(point, component, true);
+        restrict(point, component, mustNotClose);
         if constexpr (Forces == 3)
         {
             component << 0, -shear[1] / shear.norm(), shear[0] / shear.norm();
-            restrict(point, component, false);
+            restrict(point, component, mustNotMove);
         }
     }
     return rates;

@@ -34,8 +34,8 @@ std::vector<FacingPatch> findAlmostJoints(const Assembly<3>& assembly, const Che
         return {}; // what is a joint does not depend on distances
     }
     const double size = meanBlockSize(assembly);
-    const double straight = std::max(limits.jointTolerance * size, usualJointTolerance(assembly, false));
-    const double oblique = usualJointTolerance(assembly, true);
+    const double straight = std::max(limits.jointTolerance * size, usualToleranceAlongAxes(assembly));
+    const double oblique = usualObliqueTolerance(assembly);
     FacingTolerance tolerance = facingTolerance(limits.gap * size, oblique);
     tolerance.angle = limits.gapAngle;
     std::vector<FacingPatch> patches = findFacingPatches(assembly, tolerance);

@@ -282,11 +282,18 @@ std::vector<Corner> cornersApart(const std::vector<Corner>& polygon, double dist
     return apart;
 }
 
-/// What meets at corners of a shared polygon. \param isOfFirst whose face the first is
-std::vector<ConvexContact> contactsAtCorners(const std::vector<Corner>& corners, const ConvexSolid& solid,
-                                             int face, bool isOfFirst, const ConvexSolid& other,
-                                             int otherFace)
+/// Which of two solids a face belongs to.
+enum class FaceOf
 {
+    first,
+    second
+};
+
+/// What meets at corners of a shared polygon. \param faceOf whose face the first is
+std::vector<ConvexContact> contactsAtCorners(const std::vector<Corner>& corners, const ConvexSolid& solid,
+                                             int face, FaceOf faceOf, const ConvexSolid& other, int otherFace)
+{
+    const bool isOfFirst = faceOf == FaceOf::first;
     const std::vector<int>& round = solid.faces[static_cast<std::size_t>(face)];
     const std::vector<int>& otherRound = other.faces[static_cast<std::size_t>(otherFace)];
     const auto at = [](const std::vector<int>& vertices, int index)
@@ -313,8 +320,8 @@ std::vector<ConvexContact> contactsAtCorners(const std::vector<Corner>& corners,
     return contacts;
 }
 
-/// \param solid whose face parts the two
-std::vector<ConvexContact> contactsOfFace(const ConvexSolid& solid, int face, bool isOfFirst,
+/// \param solid whose face parts the two \param faceOf which of the two it is
+std::vector<ConvexContact> contactsOfFace(const ConvexSolid& solid, int face, FaceOf faceOf,
                                           const ConvexSolid& other, double tolerance)
 {
     const Vector<3>& normal = solid.normals[static_cast<std::size_t>(face)];
@@ -329,8 +336,7 @@ std::vector<ConvexContact> contactsOfFace(const ConvexSolid& solid, int face, bo
         {
             nearest = std::min(nearest, normal.dot(corner.place - onFace));
         }
-        for (const ConvexContact& contact :
-             contactsAtCorners(corners, solid, face, isOfFirst, other, otherFace))
+        for (const ConvexContact& contact : contactsAtCorners(corners, solid, face, faceOf, other, otherFace))
         {
             if (std::find(contacts.begin(), contacts.end(), contact) == contacts.end())
             {
@@ -401,8 +407,8 @@ std::vector<ConvexContact> contactsAlong(const PartingAxis& axis, const ConvexSo
             return found;
         }
     }
-    return axis.isOfFirst ? contactsOfFace(first, axis.face, true, second, tolerance)
-                          : contactsOfFace(second, axis.face, false, first, tolerance);
+    return axis.isOfFirst ? contactsOfFace(first, axis.face, FaceOf::first, second, tolerance)
+                          : contactsOfFace(second, axis.face, FaceOf::second, first, tolerance);
 }
 
 } // namespace drystone
