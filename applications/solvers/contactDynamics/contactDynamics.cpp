@@ -25,6 +25,52 @@ using namespace drystone;
 namespace
 {
 
+/// Which effects a case needs, by what a dry run knows of it.
+template<int Dim>
+void printAdvice(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
+{
+    if constexpr (Dim == 2)
+    {
+        printLine(adviceText(scene, adviseEffects(scene, motion.state)));
+    }
+    else
+    {
+        printLine("Advice by closed-form criteria: none in space.");
+    }
+}
+
+/// The steps of a run. Each is the program of eq. 9,
+///
+///     minimise   1/2 r' Mbar^-1 r + g0' c   subject to   r + A0 c = f + Mbar v0 dt,   |t| <= mu n,
+///
+/// whose multipliers are the displacements over the step. ThetaStep.h derives it; Advance.h has the stages of
+/// a step: find contacts, assemble, contribute, solve, collide, review, move, account.
+template<int Dim>
+void stepThrough(const DynamicCase<Dim>& scene, Motion<Dim>& motion, Time& time, MotionResults<Dim>& results,
+                 MotionSummary<Dim>& summary)
+{
+    Progress progress;
+    while (time.loop())
+    {
+        if (time.isLogTime())
+        {
+            printLine("Time = " + time.name());
+        }
+        if (!advance(scene, motion, time))
+        {
+            results.writeNow();
+            results.finish();
+            throw FatalError(unsolvedStep(scene, motion, time), 2);
+        }
+        summary.observe(motion.state, motion.residuals.flowError);
+        results.write();
+        printStep(scene, motion, time);
+        progress.update(time.progress());
+    }
+    results.finish();
+    progress.clear();
+}
+
 template<int Dim>
 int runIn(const CommandLine& commandLine)
 {
@@ -46,14 +92,7 @@ int runIn(const CommandLine& commandLine)
     printUnappliedLoad(commandLine.caseDirectory);
     if (commandLine.dryRun)
     {
-        if constexpr (Dim == 2)
-        {
-            printLine(adviceText(scene, adviseEffects(scene, motion.state)));
-        }
-        else
-        {
-            printLine("Advice by closed-form criteria: none in space.");
-        }
+        printAdvice(scene, motion);
         printEnd();
         return 0;
     }
@@ -62,26 +101,7 @@ int runIn(const CommandLine& commandLine)
     writePrograms(scene, commandLine.caseDirectory, time);
     results.writeFirstFrames();
     MotionSummary<Dim> summary(scene);
-    Progress progress;
-    while (time.loop())
-    {
-        if (time.isLogTime())
-        {
-            printLine("Time = " + time.name());
-        }
-        if (!advance(scene, motion, time))
-        {
-            results.writeNow();
-            results.finish();
-            throw FatalError(unsolvedStep(scene, motion, time), 2);
-        }
-        summary.observe(motion.state, motion.residuals.flowError);
-        results.write();
-        printStep(scene, motion, time);
-        progress.update(time.progress());
-    }
-    results.finish();
-    progress.clear();
+    stepThrough(scene, motion, time, results, summary);
     printIntegrationError(scene, motion, time);
     printEffectUse(scene, motion);
     printStageTimes(motion.stageTimes);

@@ -37,6 +37,34 @@ Vector<3> viewOf(const CommandLine& commandLine, int dimensions)
     return view ? viewFrom(*view) : usualView();
 }
 
+/// Solves the program of eq. 10,
+///
+///     maximise   alpha   subject to   A0 c = fD + alpha fL,   |t| <= mu n,
+///
+/// as often as the case asks for answers (SolveCase.h), and writes what it says. The multipliers of the first
+/// constraint are the mechanism. limitAnalysisProgram (LimitAnalysis.h) fills it in. \return whether there is
+/// an answer
+template<int Dim>
+bool analyse(LimitAnalysisCase<Dim>& structure, const std::filesystem::path& directory,
+             const AnswerPictures& pictures)
+{
+    flushLog();
+    structure.nonAssociative.observe =
+        collapseProgressLog(structure.nonAssociative.maximumTime ? SearchTime::limited : SearchTime::endless);
+    const double start = cpuTime();
+    const std::vector<LimitAnalysis> results = solveLimitAnalyses(structure);
+    const double used = cpuTime() - start;
+    printLimitAnalysis(structure, results);
+    writeLimitAnalysisProgram(directory, structure, results.front());
+    if (!std::all_of(results.begin(), results.end(), hasAnswer))
+    {
+        removeLimitAnalysisResults(directory);
+        return false;
+    }
+    writeLimitAnalysisResults(directory, structure, results, used, pictures);
+    return !structure.pushover || runPushover(directory, structure, pictures.formats);
+}
+
 template<int Dim>
 int runIn(const CommandLine& commandLine)
 {
@@ -61,22 +89,7 @@ int runIn(const CommandLine& commandLine)
     }
     if (!commandLine.dryRun && !commandLine.postProcess)
     {
-        flushLog();
-        structure.nonAssociative.observe = collapseProgressLog(
-            structure.nonAssociative.maximumTime ? SearchTime::limited : SearchTime::endless);
-        const double start = cpuTime();
-        const std::vector<LimitAnalysis> results = solveLimitAnalyses(structure);
-        const double used = cpuTime() - start;
-        printLimitAnalysis(structure, results);
-        writeLimitAnalysisProgram(directory, structure, results.front());
-        if (!std::all_of(results.begin(), results.end(), hasAnswer))
-        {
-            removeLimitAnalysisResults(directory);
-            return 2;
-        }
-        writeLimitAnalysisResults(directory, structure, results, used,
-                                  {towardsViewer, time.controls().pictureFormats});
-        if (structure.pushover && !runPushover(directory, structure, time.controls().pictureFormats))
+        if (!analyse(structure, directory, {towardsViewer, time.controls().pictureFormats}))
         {
             return 2;
         }
