@@ -102,7 +102,31 @@ public:
         return system.displacementOf(system.solve(system.scaledRows(-slope)));
     }
 
+    /// Goes along a step as far as phi falls enough (Armijo's rule). \param y where it begins, and then ends
+    /// \param phi the value there \param first slope where it begins
+    void descend(Eigen::VectorXd& y, double& phi, const Eigen::VectorXd& first, const Eigen::VectorXd& step)
+    {
+        const Eigen::VectorXd from = y;
+        const double before = phi;
+        const double descent = first.dot(step);
+        for (double length = 1;; length /= 2)
+        {
+            y = from + length * step;
+            phi = value(y);
+            // In the last steps phi changes by less than its rounding: the slope tells then.
+            const bool isLower =
+                phi <= before + armijo * length * descent || slope(y).norm() <= 0.5 * first.norm();
+            if (isLower || length < shortest)
+            {
+                return;
+            }
+        }
+    }
+
 private:
+    static constexpr double armijo = 1e-4; ///< share of the descent that the slope promises
+    static constexpr double shortest = 1e-12;
+
     const ConeProgram<Rows, Forces>& program;
     Eigen::VectorXd gap;
     ContactSystem<Rows, Forces> system;
@@ -111,11 +135,9 @@ private:
     std::vector<PointForce<Forces>> laws;
 };
 
-} // namespace
-
+/// \throws std::invalid_argument where a program is none of points that give way alone
 template<int Rows, int Forces>
-ConeSolution solveElasticNewton(const ConeProgram<Rows, Forces>& program, const ConeSolution& start,
-                                const ElasticNewtonSettings& settings, SymbolicAnalysis* kept)
+void requireElastic(const ConeProgram<Rows, Forces>& program)
 {
     if (!program.hasInertia() || program.hasMultiplier() || program.hasStrength())
     {
@@ -133,15 +155,22 @@ ConeSolution solveElasticNewton(const ConeProgram<Rows, Forces>& program, const 
             throw std::invalid_argument("solveElasticNewton needs points that give way alike in all shears");
         }
     }
-    constexpr double armijo = 1e-4;
-    constexpr double shortest = 1e-12;
+}
+
+} // namespace
+
+template<int Rows, int Forces>
+ConeSolution solveElasticNewton(const ConeProgram<Rows, Forces>& program, const ConeSolution& start,
+                                const ElasticNewtonSettings& settings, SymbolicAnalysis* kept)
+{
+    requireElastic(program);
     ConeSolution solution;
     Eigen::VectorXd& y = solution.displacement;
     y = start.displacement.size() == program.load.size() ? start.displacement
                                                          : Eigen::VectorXd::Zero(program.load.size());
     SymbolicAnalysis own;
     ElasticStep<Rows, Forces> problem(program, kept ? *kept : own);
-    double value = problem.value(y);
+    double phi = problem.value(y);
     for (int& iteration = solution.iterations;; ++iteration)
     {
         solution.contactForce = problem.contactForce();
@@ -161,21 +190,7 @@ ConeSolution solveElasticNewton(const ConeProgram<Rows, Forces>& program, const 
         {
             return solution;
         }
-        const double descent = slope.dot(step);
-        for (double length = 1;; length /= 2)
-        {
-            const Eigen::VectorXd next = y + length * step;
-            const double there = problem.value(next);
-            // In the last steps phi changes by less than its rounding: the slope tells then.
-            const bool isLower = there <= value + armijo * length * descent
-                                 || problem.slope(next).norm() <= 0.5 * slope.norm();
-            if (isLower || length < shortest)
-            {
-                y = next;
-                value = there;
-                break;
-            }
-        }
+        problem.descend(y, phi, slope, step);
     }
 }
 

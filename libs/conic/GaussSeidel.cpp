@@ -247,9 +247,12 @@ Eigen::Vector3d leastInCone(const Eigen::Matrix3d& W, const Eigen::Vector3d& b, 
     return leastOnRay<3>(W, b, d) * d;
 }
 
+namespace
+{
+
+/// \throws std::invalid_argument where a program is none that relaxation solves
 template<int Rows, int Forces>
-ConeSolution solveGaussSeidel(const ConeProgram<Rows, Forces>& program, const ConeSolution& start,
-                              const GaussSeidelSettings& settings)
+void requireCones(const ConeProgram<Rows, Forces>& program)
 {
     if (!program.hasInertia() || program.hasMultiplier())
     {
@@ -259,6 +262,46 @@ ConeSolution solveGaussSeidel(const ConeProgram<Rows, Forces>& program, const Co
     {
         throw std::invalid_argument("solveGaussSeidel needs cones in space: no strengths");
     }
+}
+
+/// Gives a point the force that is best as long as all others keep theirs, and the two bodies that it touches
+/// their displacements by it. \param c forces of all points \param y displacements of all bodies
+template<int Rows, int Forces, typename Problem>
+void relax(const ConeProgram<Rows, Forces>& program, const Problem& problem, int point, Eigen::VectorXd& c,
+           Eigen::VectorXd& y)
+{
+    const auto& columns = program.contacts[point];
+    if (columns.first < 0 && columns.second < 0)
+    {
+        return; // nothing there can move
+    }
+    Force<Forces> z = -closingOf(columns, y);
+    if (program.gap.size() > 0)
+    {
+        z += program.gap.template segment<Forces>(Forces * point);
+    }
+    auto force = c.template segment<Forces>(Forces * point);
+    const Force<Forces> b = z - problem.ownW * force;
+    const Force<Forces> best = leastAt(program, point, problem.W, b);
+    const Force<Forces> change = best - force;
+    force = best;
+    if (columns.first >= 0)
+    {
+        y.template segment<Rows>(Rows * columns.first) -= problem.firstMoves * change;
+    }
+    if (columns.second >= 0)
+    {
+        y.template segment<Rows>(Rows * columns.second) -= problem.secondMoves * change;
+    }
+}
+
+} // namespace
+
+template<int Rows, int Forces>
+ConeSolution solveGaussSeidel(const ConeProgram<Rows, Forces>& program, const ConeSolution& start,
+                              const GaussSeidelSettings& settings)
+{
+    requireCones(program);
     const auto problems = makeLocalProblems(program);
     const int points = program.points();
     ConeSolution solution;
@@ -288,30 +331,7 @@ ConeSolution solveGaussSeidel(const ConeProgram<Rows, Forces>& program, const Co
         for (int step = 0; step < points; ++step)
         {
             const int point = sweep % 2 == 0 ? step : points - 1 - step;
-            const auto& columns = program.contacts[point];
-            const auto& problem = problems[point];
-            Force<Forces> z = -closingOf(columns, y);
-            if (program.gap.size() > 0)
-            {
-                z += program.gap.template segment<Forces>(Forces * point);
-            }
-            if (columns.first < 0 && columns.second < 0)
-            {
-                continue; // nothing there can move
-            }
-            auto force = c.template segment<Forces>(Forces * point);
-            const Force<Forces> b = z - problem.ownW * force;
-            const Force<Forces> best = leastAt(program, point, problem.W, b);
-            const Force<Forces> change = best - force;
-            force = best;
-            if (columns.first >= 0)
-            {
-                y.template segment<Rows>(Rows * columns.first) -= problem.firstMoves * change;
-            }
-            if (columns.second >= 0)
-            {
-                y.template segment<Rows>(Rows * columns.second) -= problem.secondMoves * change;
-            }
+            relax(program, problems[point], point, c, y);
         }
     }
 }

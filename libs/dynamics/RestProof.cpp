@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
+#include <vector>
 
 namespace drystone
 {
@@ -250,27 +252,33 @@ RestProof<Dim> proofOfElasticRest(StepProgram<Dim> program, double timeStep, Eig
     return proof;
 }
 
-template<int Dim>
-Eigen::VectorXd forcesAtRest(RestProof<Dim>& proof, const Eigen::VectorXd& load, double margin)
+namespace
 {
-    if (proof.forcesOfDeadLoad.size() == 0)
-    {
-        return {};
-    }
+
+/// The share b_k = |a_k|/s_k that a load takes of what a direction alone carries.
+struct LoadShare
+{
+    double share = 0;
+    int direction = 0; ///< from 1 on, negative for the opposite, as in RestProof::carried
+};
+
+/// The shares of a load f0 + sum_k a_k L_k in falling order, those of its directions that are not 0; nothing
+/// where one is more than the margin leaves. \param live the load without f0
+template<int Dim>
+std::optional<std::vector<LoadShare>> sharesOf(const Eigen::VectorXd& live, RestProof<Dim>& proof,
+                                               double margin)
+{
     const auto count = static_cast<Eigen::Index>(proof.directions.size());
-    Eigen::MatrixXd directions(load.size(), count);
+    Eigen::MatrixXd directions(live.size(), count);
     for (Eigen::Index k = 0; k < count; ++k)
     {
         directions.col(k) = proof.directions[static_cast<std::size_t>(k)];
     }
-    const Eigen::VectorXd live = ofTouched<Dim>(proof.program, load) - proof.deadLoad;
     const Eigen::VectorXd factors =
         count > 0 ? Eigen::VectorXd(
             (directions.transpose() * directions).ldlt().solve(directions.transpose() * live))
-                  : Eigen::VectorXd();
-
-    // b_k, in falling order
-    std::vector<std::pair<double, int>> shares;
+                  : Eigen::VectorXd(); // a_k
+    std::vector<LoadShare> shares;
     for (Eigen::Index k = 0; k < count; ++k)
     {
         if (factors[k] == 0)
@@ -282,20 +290,38 @@ Eigen::VectorXd forcesAtRest(RestProof<Dim>& proof, const Eigen::VectorXd& load,
         const double share = std::abs(factors[k]) / most;
         if (!(share <= 1 - margin)) // nothing is carried: not a number, or infinite
         {
-            return {};
+            return std::nullopt;
         }
-        shares.emplace_back(share, direction);
+        shares.push_back({share, direction});
     }
     std::stable_sort(shares.begin(), shares.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
+                     [](const LoadShare& a, const LoadShare& b) { return a.share > b.share; });
+    return shares;
+}
 
+} // namespace
+
+template<int Dim>
+Eigen::VectorXd forcesAtRest(RestProof<Dim>& proof, const Eigen::VectorXd& load, double margin)
+{
+    if (proof.forcesOfDeadLoad.size() == 0)
+    {
+        return {};
+    }
+    const Eigen::VectorXd live = ofTouched<Dim>(proof.program, load) - proof.deadLoad;
+    const std::optional<std::vector<LoadShare>> shares = sharesOf(live, proof, margin);
+    if (!shares)
+    {
+        return {};
+    }
+    // c = c_0 + sum lambda_i (c_i - c_0), lambda_i = (b_i - b_i+1)/alpha_i
     Eigen::VectorXd forces = proof.forcesOfDeadLoad;
     double used = 0;
     std::vector<int> key;
-    for (std::size_t i = 0; i < shares.size(); ++i)
+    for (std::size_t i = 0; i < shares->size(); ++i)
     {
-        key.push_back(shares[i].second);
-        const double weight = shares[i].first - (i + 1 < shares.size() ? shares[i + 1].first : 0);
+        key.push_back((*shares)[i].direction);
+        const double weight = (*shares)[i].share - (i + 1 < shares->size() ? (*shares)[i + 1].share : 0);
         if (weight == 0)
         {
             continue;

@@ -238,6 +238,22 @@ void addIfAny(HtmlPage& page, const std::string& sentence)
     }
 }
 
+/// The certificate of each answer. \param table that of limitAnalysis, with all of its columns
+void addCertificates(HtmlPage& page, const NumberTable& table)
+{
+    std::vector<std::vector<std::string>> rows;
+    for (std::size_t row = 0; row < table.columns.front().size(); ++row)
+    {
+        const auto value = [&](std::size_t column)
+        { return fmt::format("{:.3g}", table.columns[column][row]); };
+        rows.push_back({fmt::format("{:.9g}", table.columns[0][row]), value(6), value(7), value(8),
+                        fmt::format("{:g}", table.columns[5][row]), value(9) + " s"});
+    }
+    page.paragraph("Certificate: the residual of equilibrium and of the cones, that of the mechanism, and "
+                   "the gap between the bounds that they give, each relative.");
+    page.table({"alpha", "primal residual", "dual residual", "gap", "iterations", "CPU time"}, rows);
+}
+
 } // namespace
 
 std::optional<CollapseStatus> storedStatus(double number)
@@ -306,17 +322,7 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory, InputOfResults i
         }
     }
     addIfAny(page, missingForceText(structure.assembly, structure.points));
-    std::vector<std::vector<std::string>> rows;
-    for (std::size_t row = 0; row < table.columns.front().size(); ++row)
-    {
-        const auto value = [&](std::size_t column)
-        { return fmt::format("{:.3g}", table.columns[column][row]); };
-        rows.push_back({fmt::format("{:.9g}", table.columns[0][row]), value(6), value(7), value(8),
-                        fmt::format("{:g}", table.columns[5][row]), value(9) + " s"});
-    }
-    page.paragraph("Certificate: the residual of equilibrium and of the cones, that of the mechanism, and "
-                   "the gap between the bounds that they give, each relative.");
-    page.table({"alpha", "primal residual", "dual residual", "gap", "iterations", "CPU time"}, rows);
+    addCertificates(page, table);
 }
 
 template void addCollapse<2>(HtmlPage& page, const fs::path& caseDirectory, InputOfResults input);

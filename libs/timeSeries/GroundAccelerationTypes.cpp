@@ -242,23 +242,50 @@ AccelerationMaker makeRecord(const RecordMotion& settings, const Dictionary& dic
     };
 }
 
-DescribedAcceleration preparedRecord(const RecordMotion& motion, const std::filesystem::path& file)
+/// The record as it stands in its file.
+Record recordIn(const std::filesystem::path& file, const RecordMotion& motion)
 {
     const std::string unit = motion.unit ? motion.unit->text : "";
-    Record record;
     if (motion.format == RecordFormat::PEER_AT2)
     {
-        record = readPeerRecord(file, unit);
+        return readPeerRecord(file, unit);
     }
-    else
+    CsvLayout layout;
+    layout.timeStep = motion.timeStep;
+    layout.unit = unit;
+    layout.timeColumn = motion.timeColumn.value_or(0);
+    layout.accelerationColumn = motion.accelerationColumn;
+    return readCsvRecord(file, layout);
+}
+
+/// What the log says of a record. \param record as it moves the ground \param values in its file
+/// \param scale that it was multiplied with \param ownPeak its PGA in the file [m/s2]
+std::string recordText(const RecordMotion& motion, const Record& record, std::size_t values, double scale,
+                       double ownPeak)
+{
+    const RecordFigures f = figures(record);
+    const double factor = accelerationUnit(record.unit);
+    std::string text =
+        typeLine("record") + fmt::format("    file        {} ({} values)\n", motion.file, values);
+    if (!record.title.empty())
     {
-        CsvLayout layout;
-        layout.timeStep = motion.timeStep;
-        layout.unit = unit;
-        layout.timeColumn = motion.timeColumn.value_or(0);
-        layout.accelerationColumn = motion.accelerationColumn;
-        record = readCsvRecord(file, layout);
+        text += fmt::format("    title       {}\n", record.title);
     }
+    text += record.unitIsAssumed
+                ? "    unit        m/s2, assumed: neither the file nor `unit` says it\n"
+                : fmt::format("    unit        {} (1 {} = {:.6g} m/s2)\n", record.unit, record.unit, factor);
+    text +=
+        fmt::format("    scale       {:.6g}, of a PGA of {:.6g} {}\n", scale, ownPeak / factor, record.unit);
+    text += fmt::format("    PGV         {:.6g} m/s\n    PGD         {:.6g} m\n", f.peakVelocity,
+                        f.peakDisplacement);
+    text += fmt::format("    significant {:.6g} s (5% to 95% of the Arias intensity, {:.6g} m/s)\n",
+                        f.significantDuration, f.ariasIntensity);
+    return text;
+}
+
+DescribedAcceleration preparedRecord(const RecordMotion& motion, const std::filesystem::path& file)
+{
+    Record record = recordIn(file, motion);
     const std::size_t count = record.times.size();
     const double ownPeak = figures(record).peakAcceleration;
     record = baselineCorrected(std::move(record), motion.baseline);
@@ -279,28 +306,10 @@ DescribedAcceleration preparedRecord(const RecordMotion& motion, const std::file
         time += shift;
     }
 
-    const RecordFigures f = figures(record);
-    const double factor = accelerationUnit(record.unit);
     DescribedAcceleration described;
-    described.valueUnit = factor;
-    described.summary =
-        typeLine("record") + fmt::format("    file        {} ({} values)\n", motion.file, count);
-    if (!record.title.empty())
-    {
-        described.summary += fmt::format("    title       {}\n", record.title);
-    }
+    described.valueUnit = accelerationUnit(record.unit);
     described.unitIsAssumed = record.unitIsAssumed && !record.unitIsQuestioned;
-    described.summary +=
-        record.unitIsAssumed
-            ? "    unit        m/s2, assumed: neither the file nor `unit` says it\n"
-            : fmt::format("    unit        {} (1 {} = {:.6g} m/s2)\n", record.unit, record.unit, factor);
-    described.summary +=
-        fmt::format("    scale       {:.6g}, of a PGA of {:.6g} {}\n", scale, ownPeak / factor, record.unit);
-    described.summary += fmt::format("    PGV         {:.6g} m/s\n    PGD         {:.6g} m\n", f.peakVelocity,
-                                     f.peakDisplacement);
-    described.summary +=
-        fmt::format("    significant {:.6g} s (5% to 95% of the Arias intensity, {:.6g} m/s)\n",
-                    f.significantDuration, f.ariasIntensity);
+    described.summary = recordText(motion, record, count, scale, ownPeak);
     described.acceleration = tabulatedAcceleration(std::move(record.times), std::move(record.accelerations),
                                                    motion.interpolation, OutOfBounds::zero);
     return described;

@@ -19,6 +19,33 @@ constexpr double negligibleForce = 1e-9;
 /// differ in it, so that they do not change their states at one instant.
 constexpr double margin = 1e-6;
 
+/// Of the associative law w is its force and what is across the cone from there, or of no force in the polar
+/// cone. \param trial w of the natural map, which becomes that of the start \param inside how far
+template<int Forces, typename Trial>
+void beginOnCone(const SlidingLaw& law, const Eigen::Matrix<double, Forces, 1>& force,
+                 const PointState<Forces>& state, double inside, Trial trial)
+{
+    using Force = Eigen::Matrix<double, Forces, 1>;
+    if (!state.presses())
+    {
+        const double beyond = trial[0] + law.mu * trial.template tail<Forces - 1>().norm();
+        trial[0] -= beyond > -inside ? beyond + inside : 0;
+    }
+    else if (state.sticks())
+    {
+        trial = force;
+    }
+    else
+    {
+        // w = c + a (-mu, e) with a > 0 has this c for its nearest point of the cone.
+        Force outwards, onEdge;
+        outwards << -law.mu, state.direction;
+        onEdge << force[0], state.direction * (law.mu * force[0]);
+        const double natural = outwards.dot(trial) / outwards.squaredNorm();
+        trial = onEdge + std::max(natural, inside) * outwards;
+    }
+}
+
 } // namespace
 
 template<int Forces>
@@ -51,24 +78,7 @@ PathStart<Forces> pathStart(const std::vector<SlidingLaw>& laws, const Eigen::Ve
         state.direction = directionOf<Forces>(shear.isZero(0) ? Shear(trialShear) : shear);
         if (law.sliding == Sliding::associative)
         {
-            if (!state.presses())
-            {
-                const double beyond = trial[0] + law.mu * trialShear.norm();
-                trial[0] -= beyond > -inside ? beyond + inside : 0;
-            }
-            else if (state.sticks())
-            {
-                trial << normal, shear;
-            }
-            else
-            {
-                // w = c + a (-mu, e) with a > 0 has this c for its nearest point of the cone.
-                Force outwards, onEdge;
-                outwards << -law.mu, state.direction;
-                onEdge << normal, state.direction * (law.mu * normal);
-                const double natural = outwards.dot(trial) / outwards.squaredNorm();
-                trial = onEdge + std::max(natural, inside) * outwards;
-            }
+            beginOnCone<Forces>(law, Force(force.template segment<Forces>(row)), state, inside, trial);
             continue;
         }
         trial[0] = state.presses() ? normal : std::min(trial[0], -law.tension - inside);
