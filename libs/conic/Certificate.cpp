@@ -216,11 +216,9 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
     // Objectives: primal 1/2 y'Mbar y + g'c + 1/2 c'C c - alpha, dual f'y - 1/2 y'Mbar y - 1/2 c'C c;
     // difference = y'Mbar y + (g + C c)'c - alpha - f'y.
     ObjectiveDifference difference;
-    Eigen::VectorXd z = Eigen::VectorXd::Zero(c.size());
     double displacementScale = largestRow<Rows, Forces>(y, lever);
     if (!isAtRest)
     {
-        z = -applyTransposed(program, y);
         difference.add(inertial.dot(y) - program.load.dot(y),
                        std::max(magnitude(inertial, y), magnitude(program.load, y)));
     }
@@ -232,14 +230,17 @@ Certificate certifyOptimal(const ConeProgram<Rows, Forces>& program, const ConeS
                                             / largestRow<Rows, Forces>(program.liveLoad, 1 / lever)));
         certificate.dualResidual = relative(std::abs(program.liveLoad.dot(y) - 1), 1);
     }
+    Eigen::VectorXd z = gapUnder(program, c);
     if (program.gap.size() > 0 || program.hasCompliance())
     {
-        const Eigen::VectorXd gap = gapUnder(program, c);
-        const double largestGap = gap.size() > 0 ? gap.cwiseAbs().maxCoeff() : 0;
-        z += gap;
+        const double largestGap = z.size() > 0 ? z.cwiseAbs().maxCoeff() : 0;
         displacementScale = std::max(displacementScale, largestGap);
-        difference.add(gap.dot(c),
-                       std::max(magnitude(gap, c), smallMultiplier * balance.largestLoad * largestGap));
+        difference.add(z.dot(c),
+                       std::max(magnitude(z, c), smallMultiplier * balance.largestLoad * largestGap));
+    }
+    if (!isAtRest)
+    {
+        z -= applyTransposed(program, y);
     }
     const StrengthWork strength = strengthWork(program, z);
     difference.add(-strength.least, strength.size);

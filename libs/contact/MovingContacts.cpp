@@ -101,6 +101,7 @@ MovingContacts<2>::MovingContacts(const Assembly<2>& assembly, const MovingConta
         isFixed.push_back(assembly.blocks[b].support >= 0);
         radii.push_back(radius);
         deepest.push_back(deepestPart * thickness);
+        leastDeepest = std::min(leastDeepest, deepest.back());
         first.push_back(begin + count);
     }
     for (Outlines* outlines : {&placedNow, &aheadStorage})
@@ -271,12 +272,13 @@ Polygon MovingContacts<2>::outlineOf(const Outlines& outlines, int block) const
     return {outlines.corner.begin() + first[block], outlines.corner.begin() + first[block + 1]};
 }
 
+bool MovingContacts<2>::mayOverlook() const
+{
+    return lastMargin > leastDeepest;
+}
+
 double MovingContacts<2>::overlookedDepth(const std::vector<Placement<2>>& placements) const
 {
-    if (lastMargin <= *std::min_element(deepest.begin(), deepest.end()))
-    {
-        return 0;
-    }
     Outlines there = placedNow;
     place(there, placements);
     double deepestOfAll = 0;

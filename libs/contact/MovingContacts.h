@@ -6,6 +6,7 @@
 #include "geometry/BroadPhase.h"
 
 #include <array>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -98,9 +99,13 @@ public:
     /// One of them, by its index.
     ContactPoint<2> pointAt(const std::vector<Placement<2>>& placements, std::size_t index) const;
 
+    /// Whether the margin of the last update was so large that features may be chosen wrongly: never in steps
+    /// in which no point travels by an eighth of a thickness.
+    bool mayOverlook() const;
+
     /// By how much blocks are deepest in each other that the last update has looked at and whose features it
     /// may have chosen wrongly, the margin being more than a quarter of the thinner block [m]. Only where
-    /// that is more than it was, and 0 for steps in which no point travels by an eighth of a thickness.
+    /// that is more than it was; 0 unless it mayOverlook.
     double overlookedDepth(const std::vector<Placement<2>>& placements) const;
 
     /// Whether that is more than blocks may enter each other by.
@@ -212,9 +217,10 @@ private:
     std::vector<char> leftOut;           ///< see leaveOut; empty while there is none
     std::vector<double> radii;           ///< of each block about its mass centre [m]
     std::vector<double> deepest;         ///< overlap beyond which a block's contacts are not trusted [m]
-    double pointTolerance = 0;           ///< [m]
-    double skin = 0;                     ///< [m]
-    double mayEnter = 0;                 ///< [m]
+    double leastDeepest = std::numeric_limits<double>::max(); ///< of these [m]
+    double pointTolerance = 0;                                ///< [m]
+    double skin = 0;                                          ///< [m]
+    double mayEnter = 0;                                      ///< [m]
 
     // Of the last update.
     Outlines placedNow, aheadStorage;

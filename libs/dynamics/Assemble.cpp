@@ -30,7 +30,10 @@ std::vector<int> pointsAmong(const std::vector<ContactPoint<Dim>>& earlier,
                              const std::vector<ContactPoint<Dim>>& points, PointLayout layout)
 {
     std::vector<int> old(points.size(), -1);
-    if (layout == PointLayout::asBuilt)
+    const auto isSame = [](const ContactPoint<Dim>& one, const ContactPoint<Dim>& other)
+    { return pairOf(one) == pairOf(other) && isSameFeature<Dim>(one.feature, other.feature); };
+    if (layout == PointLayout::asBuilt // in motion too most steps have the points of the last one
+        || std::equal(earlier.begin(), earlier.end(), points.begin(), points.end(), isSame))
     {
         std::iota(old.begin(), old.end(), 0);
         return old;

@@ -54,7 +54,7 @@ void findContacts(Step<Dim>& step)
 template<int Dim>
 double overlookedDepth(const Step<Dim>& step)
 {
-    return step.motion.contacts && step.solved.isSolved
+    return step.motion.contacts && step.solved.isSolved && step.motion.contacts->mayOverlook()
                ? step.motion.contacts->overlookedDepth(placementsAfter(step, step.solved.result.displacement))
                : 0;
 }

@@ -53,6 +53,10 @@ public:
                                                const std::vector<std::vector<Placement<3>>>& headings,
                                                double margin);
 
+    /// Whether overlookedDepth may be more than 0: however short a step is, which corners and edges meet may
+    /// be foreseen otherwise.
+    bool mayOverlook() const { return true; }
+
     /// By how much blocks between which the last update has found points, or looked for some, are deepest in
     /// each other beyond 1e-5 of the mean block size and what these points are pressed in by [m]; mostly 0. A
     /// step to there has overlooked contacts, since which corners and edges meet was foreseen otherwise.
