@@ -1,5 +1,6 @@
-# What `cmake --install` and the Debian package hold: applications, manual pages, completion, tutorials, and the files of
-# etc/ that cases use; the former the libraries too. Paths are relative, so that the prefix can be chosen when installing.
+# What `cmake --install` and the Debian package hold: applications, manual pages, completion, tutorials, and the files
+# of etc/ that cases use; the former the libraries too. Paths are relative, so that the prefix can be chosen when
+# installing.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME applications)
 
 get_property(drystone_applications GLOBAL PROPERTY DRYSTONE_APPLICATIONS)

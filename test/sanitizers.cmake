@@ -1,5 +1,5 @@
-# Tests without meaning in a build with sanitizers (preset `asan`), by name and with the reason. ctest omits them in such
-# a build; in every other build they are run.
+# Tests without meaning in a build with sanitizers (preset `asan`), by name and with the reason. ctest omits them in
+# such a build; in every other build they are run.
 set(leftOutWithSanitizers
     # compare times with those of an optimised build
     dictionary.Dictionary.AMillionNumbersAreReadInASecond

@@ -92,13 +92,20 @@ std::string nameOf(SolverType solver)
 namespace
 {
 
+/// Whether solvers are tried one after the other until one has reached the tolerance, or one alone.
+enum class SolversTried
+{
+    one,
+    untilSolved
+};
+
 /// The best of what the solvers that are tried one after the other have found, with the work of them all.
 template<int Rows, int Forces>
 class BestSolution
 {
 public:
-    BestSolution(const ConeProgram<Rows, Forces>& ofProgram, bool mayGoOn)
-        : program(ofProgram), goesOn(mayGoOn)
+    BestSolution(const ConeProgram<Rows, Forces>& ofProgram, SolversTried solversTried)
+        : program(ofProgram), tried(solversTried)
     {
     }
 
@@ -120,7 +127,7 @@ public:
         addWork(work, solved);
         static_cast<SolverWork&>(best) = work;
         best.isStartLost = isStartLost;
-        return best.status == SolveStatus::optimal || !goesOn;
+        return best.status == SolveStatus::optimal || tried == SolversTried::one;
     }
 
     void loseStart() { isStartLost = true; }
@@ -136,7 +143,7 @@ public:
 
 private:
     const ConeProgram<Rows, Forces>& program;
-    const bool goesOn;
+    const SolversTried tried;
     double error = std::numeric_limits<double>::infinity();
     InteriorStart interior; ///< passed on the way
     SolverWork work;
@@ -190,7 +197,7 @@ ConeSolution solveAutomatically(const ConeProgram<Rows, Forces>& program, const 
             }
         }
     }
-    BestSolution<Rows, Forces> found(program, canStart);
+    BestSolution<Rows, Forces> found(program, canStart ? SolversTried::untilSolved : SolversTried::one);
     if (isStarted && choice.isNearTried && certifyOptimal(program, start).worst() <= nearby)
     {
         AugmentedLagrangianSettings multipliers{choice.tolerance,

@@ -54,8 +54,8 @@ std::vector<Token> valueTokens(TokenCursor& cursor, const TokenCursor& before, s
 class WrittenKeys
 {
 public:
-    /// Warns of a key that is given twice. \param isDictionary whether its value is one, here
-    void add(const Token& key, bool isDictionary, const SourceLocation& location)
+    /// Warns of a key that is given twice. \param repetition what its value would be then
+    void add(const Token& key, Repetition repetition, const SourceLocation& location)
     {
         if (!isWritten(key))
         {
@@ -64,8 +64,8 @@ public:
         const auto [earlier, isFirst] = first.try_emplace(key.text, &key);
         if (!isFirst)
         {
-            // Input modes, which may ask for it outside of lists, there are none here.
-            printWarningOnce(repeatedKeyText(key.text, earlier->second->line, isDictionary) + ".", location);
+            // Input modes, which may require it outside of lists, there are none here.
+            printWarningOnce(repeatedKeyText(key.text, earlier->second->line, repetition) + ".", location);
         }
     }
 
@@ -99,7 +99,7 @@ Dictionary readBraced(TokenCursor& cursor, const std::shared_ptr<SourceText>& so
         const std::string keyword(key.text);
         const SourceLocation entryLocation{key.file->name, joined(location.entry, keyword), key.line};
         const bool isDictionary = cursor.isNext('{');
-        written.add(key, isDictionary, entryLocation);
+        written.add(key, isDictionary ? Repetition::merges : Repetition::replaces, entryLocation);
         Entry entry =
             isDictionary ? Entry(keyword, readBraced(cursor, source, entryLocation, depth + 1), entryLocation)
                          : Entry(keyword, valueTokens(cursor, before, key.text), source, entryLocation);

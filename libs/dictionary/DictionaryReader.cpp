@@ -120,9 +120,10 @@ private:
 
     void warnOfRepetition(const Statement& earlier, const Statement& statement)
     {
-        const bool areMerged =
+        const bool areDictionaries =
             earlier.kind == Statement::Kind::dictionary && statement.kind == Statement::Kind::dictionary;
-        printWarningOnce(repeatedKeyText(statement.keyword.text, earlier.keyword.line, areMerged)
+        printWarningOnce(repeatedKeyText(statement.keyword.text, earlier.keyword.line,
+                                         areDictionaries ? Repetition::merges : Repetition::replaces)
                              + ", or write `#inputMode merge` before them.",
                          locationOf(reading, statement.keyword));
     }

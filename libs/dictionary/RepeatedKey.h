@@ -10,12 +10,20 @@
 namespace drystone
 {
 
+/// What counts of two entries with one key.
+enum class Repetition
+{
+    replaces,
+    merges ///< dictionaries
+};
+
 /// To give an entry again is how a file that is included is overridden; twice in one place it is a mistake
-/// more often than not. \param areMerged both are dictionaries
-inline std::string repeatedKeyText(std::string_view key, int firstLine, bool areMerged)
+/// more often than not.
+inline std::string repeatedKeyText(std::string_view key, int firstLine, Repetition repetition)
 {
     return fmt::format("{} is given twice, first at line {}; {}. Remove one of them", key, firstLine,
-                       areMerged ? "what both have is taken together" : "the last one counts");
+                       repetition == Repetition::merges ? "what both have is taken together"
+                                                        : "the last one counts");
 }
 
 } // namespace drystone

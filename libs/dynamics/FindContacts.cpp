@@ -18,22 +18,22 @@ void findContacts(Step<Dim>& step)
         return;
     }
     const std::vector<Placement<Dim>>& placements = motion.state.placements;
-    const Eigen::VectorXd heading = step.scheme.timeStep * motion.state.velocity;
+    const Eigen::VectorXd expected = step.scheme.timeStep * motion.state.velocity;
     const double start = motion.state.time;
     const auto velocities = velocitiesOfAllBlocks(scene, motion.state, start, start + step.scheme.timeStep);
     const double margin = motion.contacts->marginFor(velocities, step.scheme.timeStep, step.acceleration);
     if constexpr (Dim == 3)
     {
-        std::vector<std::vector<Placement<3>>> headings{placementsAfter(step, heading)};
+        std::vector<std::vector<Placement<3>>> expectedPlaces{placementsAfter(step, expected)};
         for (const Eigen::VectorXd& displacement : step.overlooking)
         {
-            headings.push_back(placementsAfter(step, displacement));
+            expectedPlaces.push_back(placementsAfter(step, displacement));
         }
-        step.points = motion.contacts->update(placements, headings, margin);
+        step.points = motion.contacts->update(placements, expectedPlaces, margin);
     }
     else
     {
-        step.points = motion.contacts->update(placements, placementsAfter(step, heading), margin);
+        step.points = motion.contacts->update(placements, placementsAfter(step, expected), margin);
     }
     forgetRounding(scene, step.points);
     if (step.scheme.theta == 1)
@@ -41,7 +41,7 @@ void findContacts(Step<Dim>& step)
         step.columns = columnsAt(scene, placements, step.points);
         return;
     }
-    const auto between = placementsAfter(step, heading, 1 - step.scheme.theta);
+    const auto between = placementsAfter(step, expected, 1 - step.scheme.theta);
     std::vector<ContactPoint<Dim>> pointsBetween;
     motion.contacts->measure(between, pointsBetween);
     step.columns = columnsAt(scene, between, pointsBetween);

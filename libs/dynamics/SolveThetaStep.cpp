@@ -102,10 +102,14 @@ private:
     bool staysAtRest();
     bool isNewtonsTurn() const;
     bool reachesFlow();
-    bool solveProgram();
+    bool endsBeforePrograms();
+    void solvePrograms();
+    void solveProgram();
+    bool stands();
+    void completeStep();
     bool isOfNoUse() const;
     bool beginsFromPlace();
-    bool meetsFlow(bool isBalanced);
+    bool meetsFlow();
     bool meetsGaps();
     FlowProblem<Dim> flowProblem()
     {
@@ -130,6 +134,7 @@ private:
     Eigen::VectorXd imposed;  ///< share of the gaps that it opens, one a point
     Eigen::VectorXd gap;      ///< of the program without that share
     AcceleratedIteration fixedPoint;
+    bool isBalanced = false; ///< displacements of the last program are those that its forces give the blocks
 };
 
 /// Without contact points.
@@ -299,9 +304,9 @@ bool StepSearch<Dim>::reachesFlow()
                         {isImpact ? newtonStepsOfImpact : newtonSteps, settings.contactTolerance});
 }
 
-/// The next program. \return whether the displacements are those that the contact forces give the blocks
+/// The next program.
 template<int Dim>
-bool StepSearch<Dim>::solveProgram()
+void StepSearch<Dim>::solveProgram()
 {
     for (int point = 0; isCoulomb && point < program.points(); ++point)
     {
@@ -309,7 +314,7 @@ bool StepSearch<Dim>::solveProgram()
     }
     step.load = program.load;
     step.gap = program.gap;
-    return solveOnce(step, program, withinWork(settings, step, program), start, symbolic);
+    isBalanced = solveOnce(step, program, withinWork(settings, step, program), start, symbolic);
 }
 
 /// Whether no further program can begin with the last one's solution. Only the last program of Coulomb's law
@@ -344,7 +349,7 @@ bool StepSearch<Dim>::beginsFromPlace()
 /// Whether the gaps that the motion opens by Coulomb's law are those that the program had; the next has new
 /// ones.
 template<int Dim>
-bool StepSearch<Dim>::meetsFlow(bool isBalanced)
+bool StepSearch<Dim>::meetsFlow()
 {
     const double tolerance = settings.solver.tolerance;
     const Eigen::VectorXd opening = dilatancy(program, step.closing, step.contactForce);
@@ -390,72 +395,92 @@ bool StepSearch<Dim>::meetsGaps()
     return error <= (isStrained ? unstrained : 1) * settings.contactTolerance;
 }
 
+/// Whether the program had what its own solution gives: then that is the step. The next has it otherwise.
 template<int Dim>
-ThetaStep StepSearch<Dim>::solve()
+bool StepSearch<Dim>::stands()
+{
+    bool isSolution = step.status == SolveStatus::optimal;
+    if (isCoulomb)
+    {
+        isSolution = meetsFlow() && isSolution;
+    }
+    if (relinearise)
+    {
+        isSolution = meetsGaps() && isSolution;
+    }
+    return isSolution;
+}
+
+template<int Dim>
+void StepSearch<Dim>::completeStep()
+{
+    step.slip = largestSlip<Dim>(step, settings.solver.tolerance);
+    if (relinearise && isBalanced && settings.keepsMomenta && !keepMomenta(step, program, relinearise))
+    {
+        step.status = SolveStatus::notConverged;
+    }
+}
+
+/// Whether the step is found without the programs of a search: in flight, at rest, or by going on from the
+/// forces of the last step.
+template<int Dim>
+bool StepSearch<Dim>::endsBeforePrograms()
 {
     if (program.points() == 0)
     {
         flyFreely();
-        return std::move(step);
+        return true;
     }
     if (rests())
     {
-        return std::move(step);
+        return true;
     }
     chooseFollowing();
     chooseStart();
-    if (isCoulomb && beginsAtRest() && staysAtRest())
-    {
-        return std::move(step);
-    }
-    if (isCoulomb && goesOnFromLastStep(step, flowProblem(), start, fromLastStep))
-    {
-        return std::move(step);
-    }
+    return isCoulomb
+           && ((beginsAtRest() && staysAtRest())
+               || goesOnFromLastStep(step, flowProblem(), start, fromLastStep));
+}
+
+template<int Dim>
+void StepSearch<Dim>::solvePrograms()
+{
     gap = program.gap;
-    for (;;)
+    while (!(isNewtonsTurn() && reachesFlow()))
     {
-        if (isNewtonsTurn() && reachesFlow())
-        {
-            return std::move(step);
-        }
-        const bool isBalanced = solveProgram();
+        solveProgram();
         if (isOfNoUse())
         {
             if (beginsFromPlace())
             {
                 continue;
             }
-            return std::move(step);
+            return;
         }
-        bool stands = step.status == SolveStatus::optimal;
-        if (isCoulomb)
+        if (stands())
         {
-            stands = meetsFlow(isBalanced) && stands;
-        }
-        if (relinearise)
-        {
-            stands = meetsGaps() && stands;
-        }
-        if (stands)
-        {
-            step.slip = largestSlip<Dim>(step, settings.solver.tolerance);
-            if (relinearise && isBalanced && settings.keepsMomenta
-                && !keepMomenta(step, program, relinearise))
-            {
-                step.status = SolveStatus::notConverged;
-            }
-            return std::move(step);
+            completeStep();
+            return;
         }
         if (step.programs == maximumPrograms || isWorkUsedUp(settings, step, program))
         {
             step.status = SolveStatus::notConverged;
-            return std::move(step);
+            return;
         }
         start.displacement = step.displacement;
         start.contactForce = step.contactForce;
         start.interior = step.interior;
     }
+}
+
+template<int Dim>
+ThetaStep StepSearch<Dim>::solve()
+{
+    if (!endsBeforePrograms())
+    {
+        solvePrograms();
+    }
+    return std::move(step);
 }
 
 } // namespace

@@ -31,7 +31,7 @@ bool isDisplaced(const Placement<Dim>& placement)
 
 template<int Dim>
 void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placement<Dim>>& placements,
-                         const std::vector<SourceLocation>& places, bool isElastic)
+                         const std::vector<SourceLocation>& places, JointStiffness joints)
 {
     if (places.empty())
     {
@@ -45,7 +45,7 @@ void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placem
     }
     const int displaced = isDisplaced(placements[deepest.block]) ? deepest.block : deepest.neighbour;
     const int other = displaced == deepest.block ? deepest.neighbour : deepest.block;
-    if (isElastic && deepest.depth <= mayEnterElastic * meanBlockSize(assembly))
+    if (joints == JointStiffness::elastic && deepest.depth <= mayEnterElastic * meanBlockSize(assembly))
     {
         printWarning(
             fmt::format(
@@ -256,9 +256,9 @@ template void questionMasses(const DynamicCase<3>& scene);
 template void questionDigits(const DynamicCase<2>& scene);
 template void questionDigits(const DynamicCase<3>& scene);
 template void refuseStartOverlaps(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
-                                  const std::vector<SourceLocation>& places, bool isElastic);
+                                  const std::vector<SourceLocation>& places, JointStiffness joints);
 template void refuseStartOverlaps(const Assembly<3>& assembly, const std::vector<Placement<3>>& placements,
-                                  const std::vector<SourceLocation>& places, bool isElastic);
+                                  const std::vector<SourceLocation>& places, JointStiffness joints);
 template void refuseEditedPlaces(const DynamicCase<2>& scene, const std::vector<Placement<2>>& placements,
                                  const SourceLocation& place);
 template void refuseEditedPlaces(const DynamicCase<3>& scene, const std::vector<Placement<3>>& placements,

@@ -13,6 +13,12 @@ namespace drystone
 /// Radians or block sizes in a step that are no motion but a mistake in writing.
 inline constexpr double mostInAStep = 1e9;
 
+enum class JointStiffness
+{
+    rigid,
+    elastic
+};
+
 /// Refuses a start inside another block: motion has no answer to it, and would part the blocks or let them
 /// fall through each other. Blocks may be 1e-6 of the mean block size in each other, and as deep as they were
 /// built. Elastic joints press out of each other what is deeper, from their settlement under loads, say: up
@@ -20,7 +26,7 @@ inline constexpr double mostInAStep = 1e9;
 /// are none \throws FatalIOError with both blocks and the depth, at the line of the block that is displaced
 template<int Dim>
 void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placement<Dim>>& placements,
-                         const std::vector<SourceLocation>& places, bool isElastic);
+                         const std::vector<SourceLocation>& places, JointStiffness joints);
 
 /// Refuses the places of a state that was edited where a run leaves no blocks: deeper in each other than
 /// motion allows, or fixed ones that nothing moves away from where they were built.

@@ -7,6 +7,7 @@
 #include "dynamics/StageTimes.h"
 #include "geometry/Rotation.h"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 
@@ -46,6 +47,8 @@ struct StepResiduals
     double flowError = 0; ///< of Coulomb's law: by how much mu |u_t| is missed where a point slides [m]
     double overlookedDepth = 0; ///< of blocks in each other at the end, where no point was foreseen [m]
     StepFault fault = StepFault::none; ///< of an attempt that is not taken
+
+    double worst() const { return std::max({primalResidual, dualResidual, dualityGap}); }
 };
 
 /// The state at the end of a step. Nothing is owned: the views are valid while an observer is called, not

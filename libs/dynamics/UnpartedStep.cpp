@@ -111,6 +111,47 @@ void solveOrHelp(Step<Dim>& step)
     }
 }
 
+/// Finds and solves the program of the step: again after impacts, and where effects request it.
+template<int Dim>
+void findMotion(Step<Dim>& step)
+{
+    findContacts(step);
+    assemble(step);
+    contribute(step);
+    if (step.motion.overlapsLeft > 0)
+    {
+        leaveAllOverlaps(step);
+        step.overlapsLeft = step.motion.overlapsLeft - 1;
+    }
+    do
+    {
+        beginAgain(step);
+        do
+        {
+            solveOrHelp(step);
+        } while (collide(step));
+    } while (review(step));
+}
+
+/// Moves the blocks, unless what that leads to is at fault: then they are where they were.
+template<int Dim>
+StepFault moveUnlessAtFault(Step<Dim>& step)
+{
+    Motion<Dim>& motion = step.motion;
+    const DynamicState<Dim> start = motion.state;
+    move(step);
+    measureEnergy(step);
+    const StepFault fault = createsEnergy(step) ? StepFault::createsEnergy
+                            : motion.contacts && motion.contacts->isAnyTooDeep(step.pointsAtEnd)
+                                ? StepFault::entersTooDeep
+                                : StepFault::none;
+    if (fault != StepFault::none)
+    {
+        motion.state = start;
+    }
+    return fault;
+}
+
 /// \param attemptForces see Step \param overlooking likewise: tries of this step before
 template<int Dim>
 double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep,
@@ -129,22 +170,7 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
     {
         return 1;
     }
-    findContacts(step);
-    assemble(step);
-    contribute(step);
-    if (motion.overlapsLeft > 0)
-    {
-        leaveAllOverlaps(step);
-        step.overlapsLeft = motion.overlapsLeft - 1;
-    }
-    do
-    {
-        beginAgain(step);
-        do
-        {
-            solveOrHelp(step);
-        } while (collide(step));
-    } while (review(step));
+    findMotion(step);
     if (!step.solved.isSolved)
     {
         return step.solved.length < 1 ? step.solved.length : 0;
@@ -160,19 +186,9 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
         fault = motion.contacts->isTooDeep(depth) ? StepFault::entersTooDeep : StepFault::none;
         motion.attempt.overlookedDepth = depth;
     }
-    const DynamicState<Dim> start = motion.state;
-    if (fault == StepFault::none)
-    {
-        move(step);
-        measureEnergy(step);
-        fault = createsEnergy(step) ? StepFault::createsEnergy
-                : motion.contacts && motion.contacts->isAnyTooDeep(step.pointsAtEnd)
-                    ? StepFault::entersTooDeep
-                    : StepFault::none;
-    }
+    fault = fault == StepFault::none ? moveUnlessAtFault(step) : fault;
     if (fault != StepFault::none)
     {
-        motion.state = start;
         motion.attempt.fault = fault;
         return 0; // to be tried shorter
     }

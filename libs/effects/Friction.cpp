@@ -27,27 +27,27 @@ const double* find(const FrictionOfJoints& ofPairs, const std::pair<int, int>& p
     return at != ofPairs.end() && at->first == pair ? &at->second : nullptr;
 }
 
-} // namespace
-
-void declare(Options& options, CoulombFriction& friction)
+void declareCoefficient(Options& options, double& mu, std::string_view example)
 {
-    options.required("mu", friction.mu, "friction coefficient")
+    options.required("mu", mu, "friction coefficient")
         .unit("-")
         .atLeast(0)
         .atMost(1e6)
         .usual(0, steepestFriction, frictionNote)
-        .example("0.65");
+        .example(example);
+}
+
+} // namespace
+
+void declare(Options& options, CoulombFriction& friction)
+{
+    declareCoefficient(options, friction.mu, "0.65");
     options.optional("flowRule", friction.flowRule, "whether a joint that slides opens");
 }
 
 void declare(Options& options, JointFriction& friction)
 {
-    options.required("mu", friction.mu, "friction coefficient")
-        .unit("-")
-        .atLeast(0)
-        .atMost(1e6)
-        .usual(0, steepestFriction, frictionNote)
-        .example("0.4");
+    declareCoefficient(options, friction.mu, "0.4");
 }
 
 const Registry<CoulombFriction>& frictionTypes()

@@ -60,15 +60,21 @@ ErrorCurve errorCurve(const std::vector<AccuracyPoint>& points, std::string name
     return curve;
 }
 
+/// Whether a picture has more curves than can be shown twice, by their medians and their worst errors.
+bool isCrowded(std::size_t curves)
+{
+    return curves > mostCurvesWithWorst;
+}
+
 /// What the points are, and the processor that took their times.
-std::string subtitleOf(const AccuracyStudy& study, const SweepResult& sweep, bool isCrowded)
+std::string subtitleOf(const AccuracyStudy& study, const SweepResult& sweep, std::size_t curves)
 {
     std::string phases;
     if (quantityOf(study, sweep).kind == QuantityKind::motion)
     {
         const int count = planOf(study, sweep).phases;
-        phases = isCrowded ? fmt::format("; median of {} phases", count)
-                           : fmt::format("; solid: median, dashed: worst of {} phases", count);
+        phases = isCrowded(curves) ? fmt::format("; median of {} phases", count)
+                                   : fmt::format("; solid: median, dashed: worst of {} phases", count);
     }
     return fmt::format("points: {}{}; {}", axisName(sweep.axis), phases, processorName());
 }
@@ -122,11 +128,10 @@ Plot errorPlot(const AccuracyStudy& study, const AccuracyResults& results, const
     const double uncertainty = uncertaintyOf(results, sweep);
     const bool overTolerance = sweep.axis == SweepAxis::tolerance;
     const auto curves = curvesOf(sweep);
-    const bool isCrowded = curves.size() > mostCurvesWithWorst;
     const ShownKeys shown = differingKeys(settingsAt(sweep.points), sweep.axis);
     Plot plot;
     plot.title = fmt::format("{}: error of {}", sweep.name, quantity.name);
-    plot.subtitle = subtitleOf(study, sweep, isCrowded);
+    plot.subtitle = subtitleOf(study, sweep, curves.size());
     plot.x = {overTolerance ? "tolerance of the solver" : "CPU time [s]", AxisScale::logarithmic, {}, {}};
     plot.y = {"relative error", AxisScale::logarithmic, {}, {}};
     double leastError = HUGE_VAL;
@@ -144,7 +149,7 @@ Plot errorPlot(const AccuracyStudy& study, const AccuracyResults& results, const
         plot.curves.push_back(std::move(curve.medians));
         worsts.push_back(std::move(curve.worsts));
     }
-    if (isCrowded)
+    if (isCrowded(curves.size()))
     {
         lookByWords(plot, curves, shown);
     }
@@ -154,7 +159,7 @@ Plot errorPlot(const AccuracyStudy& study, const AccuracyResults& results, const
         plot.references.push_back(
             {"uncertainty of the reference", ReferenceDirection::horizontal, uncertainty});
     }
-    if (quantity.kind == QuantityKind::motion && !isCrowded)
+    if (quantity.kind == QuantityKind::motion && !isCrowded(curves.size()))
     {
         std::move(worsts.begin(), worsts.end(), std::back_inserter(plot.curves));
     }

@@ -97,8 +97,7 @@ Measurement stepThrough(const DynamicCase<Dim>& scene, const AccuracyCase<Dim>& 
             }
             ++result.steps;
             result.hover = std::max(result.hover, hoverOf(scene, motion));
-            result.worstResidual = std::max({result.worstResidual, motion.residuals.primalResidual,
-                                             motion.residuals.dualResidual, motion.residuals.dualityGap});
+            result.worstResidual = std::max(result.worstResidual, motion.residuals.worst());
             goesOn = observe(motion, taken.timeStep);
         }
         if (result.end == RunEnd::unsolved)

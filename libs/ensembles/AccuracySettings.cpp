@@ -36,14 +36,10 @@ std::vector<RunSetting> combined(const std::vector<RunSetting>& settings, const 
 }
 
 template<class Value>
-bool hasTwins(const std::vector<Value>& list)
+std::string twinsFault(const std::vector<Value>& list)
 {
-    return std::set<Value>(list.begin(), list.end()).size() < list.size();
-}
-
-std::string twinsFault(bool hasThem)
-{
-    return hasThem ? "A value stands twice in this list: remove one of them." : "";
+    const bool hasTwins = std::set<Value>(list.begin(), list.end()).size() < list.size();
+    return hasTwins ? "A value stands twice in this list: remove one of them." : "";
 }
 
 bool isFileName(const std::string& name)
@@ -76,7 +72,7 @@ void declare(Options& options, Sweep& sweep)
         .atLeast(1)
         .atMost(1000);
     const auto twins = [&options](const std::string& key, const auto& list)
-    { options.check(key, [&list] { return twinsFault(hasTwins(list)); }); };
+    { options.check(key, [&list] { return twinsFault(list); }); };
     twins("deltaT", sweep.deltaT);
     twins("theta", sweep.theta);
     twins("flowRule", sweep.flowRule);

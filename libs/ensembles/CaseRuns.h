@@ -1,47 +1,17 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Copies of a case, applications run in them, and numbers read from their tables: common to all studies that
-/// repeat whole cases.
+/// Applications run in copies of a case with other values: common to all studies that repeat whole cases.
 #pragma once
 
+#include "ensembles/ApplicationRun.h"
 #include "ensembles/CaseEntry.h"
 
 #include <filesystem>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace drystone
 {
-
-/// Copies the input of a case: all but results (VTK, postProcessing, logs, times other than 0) and the files
-/// of a search (parameterSearch). An existing `target` is removed first. \throws FatalError
-void copyCase(const std::filesystem::path& caseDirectory, const std::filesystem::path& target);
-
-/// The files that copyCase copies, sorted.
-std::vector<std::filesystem::path> filesOfCase(const std::filesystem::path& caseDirectory);
-
-/// The result of an application.
-struct ApplicationRun
-{
-    int status = 0;             ///< exit status; 128 + signal when a signal has ended it
-    bool isInterrupted = false; ///< this process was requested to stop while it ran
-    std::string errorOutput;    ///< on standard error
-};
-
-/// Whether what a study runs is a program of the user's own, in the case: `./prepare`.
-bool isScript(const std::string& application);
-
-/// Why a script that is to run in the case cannot; empty: it can, or is no script but an application.
-std::string faultOfScript(const std::filesystem::path& caseDirectory, const std::string& application);
-
-/// Runs an application of Drystone, from the folder of the running executable, in a case; its output goes to
-/// log.<application> there. A name with a slash is a script in the case, which is run there without options.
-/// The application ends when this process does. A signal that requests this program to stop is passed on.
-/// \throws FatalError when there is no such application
-ApplicationRun runInCase(const std::string& application, const std::filesystem::path& caseDirectory,
-                         const std::vector<std::string>& options);
 
 /// An entry of a case with another value, as its text.
 using OtherEntry = std::pair<CaseEntry, std::string>;

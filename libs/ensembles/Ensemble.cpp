@@ -295,7 +295,7 @@ Ensemble readEnsemble(const fs::path& caseDirectory, const std::vector<std::stri
         {
             requireVariable(statistic.curve, variables, statistic.curveLocation);
         }
-        statistic.check(names, ensemble.settings.design.sensitivity);
+        statistic.check({.names = names, .hasSensitivityRuns = ensemble.settings.design.sensitivity});
     }
     ensemble.plan = planOf(ensemble);
     return ensemble;

@@ -3,7 +3,7 @@
 #include "ensembles/EnsembleSettings.h"
 
 #include "dictionary/NamesIn.h"
-#include "ensembles/CaseRuns.h"
+#include "ensembles/ApplicationRun.h"
 
 #include <fmt/format.h>
 

@@ -227,14 +227,13 @@ Model<Statistic> fractilesStatistic()
             Statistic statistic;
             statistic.curve = settings.curve;
             statistic.curveLocation = dictionary.locationOf("curve");
-            statistic.check =
-                [settings, intensity = dictionary.locationOf("intensity"),
-                 response = dictionary.locationOf("response"),
-                 curve = dictionary.locationOf("curve")](const std::vector<std::string>& names, bool)
+            statistic.check = [settings, intensity = dictionary.locationOf("intensity"),
+                               response = dictionary.locationOf("response"),
+                               curve = dictionary.locationOf("curve")](const StatisticSource& source)
             {
-                requireExpression(settings.intensity, names, intensity);
-                requireExpression(settings.response, names, response);
-                requireVariable(settings.curve, names, curve);
+                requireExpression(settings.intensity, source.names, intensity);
+                requireExpression(settings.response, source.names, response);
+                requireVariable(settings.curve, source.names, curve);
             };
             statistic.evaluate = [settings](const std::string& name, const SampleTable& table)
             { return evaluateFractiles(settings, name, table); };

@@ -456,16 +456,15 @@ Model<Statistic> fragilityStatistic()
             Statistic statistic;
             statistic.curve = settings.curve.value_or("");
             statistic.curveLocation = dictionary.locationOf("curve");
-            statistic.check =
-                [settings, intensity = dictionary.locationOf("intensity"),
-                 exceeded = dictionary.locationOf("exceeded"),
-                 curve = dictionary.locationOf("curve")](const std::vector<std::string>& names, bool)
+            statistic.check = [settings, intensity = dictionary.locationOf("intensity"),
+                               exceeded = dictionary.locationOf("exceeded"),
+                               curve = dictionary.locationOf("curve")](const StatisticSource& source)
             {
-                requireExpression(settings.intensity, names, intensity);
-                requireCondition(settings.exceeded, names, exceeded);
+                requireExpression(settings.intensity, source.names, intensity);
+                requireCondition(settings.exceeded, source.names, exceeded);
                 if (settings.curve)
                 {
-                    requireVariable(*settings.curve, names, curve);
+                    requireVariable(*settings.curve, source.names, curve);
                 }
             };
             statistic.evaluate = [settings](const std::string& name, const SampleTable& table)

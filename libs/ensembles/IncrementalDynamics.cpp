@@ -181,8 +181,7 @@ IncrementalRun runAt(const IncrementalDynamics<Dim>& study, const StudyMotion& g
             break;
         }
         const bool isSolved = advanceIn(scene, motion, time, ground, intensity);
-        run.worstResidual = std::max({run.worstResidual, motion.residuals.primalResidual,
-                                      motion.residuals.dualResidual, motion.residuals.dualityGap});
+        run.worstResidual = std::max(run.worstResidual, motion.residuals.worst());
         if (!isSolved)
         {
             run.verdict = Verdict::notConverged;
@@ -244,6 +243,14 @@ std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<Dim>& study, co
                   [](const IncrementalRun& a, const IncrementalRun& b) { return a.intensity < b.intensity; });
     }
     return curves;
+}
+
+IncrementalCurve finishedRuns(const IncrementalCurve& curve)
+{
+    IncrementalCurve finished;
+    std::copy_if(curve.begin(), curve.end(), std::back_inserter(finished),
+                 [](const IncrementalRun& run) { return run.verdict != Verdict::interrupted; });
+    return finished;
 }
 
 LeastIntensity leastIntensity(const IncrementalCurve& curve)

@@ -108,6 +108,9 @@ template<int Dim>
 std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<Dim>& study, const RunReport& report = {},
                                        const std::vector<IncrementalCurve>& known = {});
 
+/// Those of a curve that have a verdict: a run that a signal has interrupted has none.
+IncrementalCurve finishedRuns(const IncrementalCurve& curve);
+
 /// The conclusion from the verdicts. \param curve not empty
 LeastIntensity leastIntensity(const IncrementalCurve& curve);
 

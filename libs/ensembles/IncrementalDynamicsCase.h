@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// An incremental analysis in a case directory: its input, its log and its files.
+/// An incremental analysis in a case directory: its input and its files.
 #pragma once
 
 #include "ensembles/IncrementalDynamics.h"
@@ -26,34 +26,6 @@ std::string doubtAboutCriterion(const IncrementalDynamics<Dim>& study);
 /// it by themselves; or empty.
 template<int Dim>
 std::string doubtAboutSupports(const IncrementalDynamics<Dim>& study);
-
-/// Before the first run: effects, motions of the ground, criterion, jobs.
-template<int Dim>
-void printStudy(const IncrementalDynamics<Dim>& study);
-
-/// One line for a completed run. \param timeLeft added to it
-template<int Dim>
-void printRun(const IncrementalDynamics<Dim>& study, std::size_t motion, const IncrementalRun& run,
-              const std::string& timeLeft);
-
-/// How long the runs that are not done will take at most, by those that are.
-class StudyClock
-{
-public:
-    /// \param runs of the whole study, at most \param known of them, which take no time
-    StudyClock(long runs, long known);
-    void count() { ++done; }      ///< a run that is done
-    std::string timeLeft() const; ///< `at most 12 s left`
-
-private:
-    long toDo;
-    long done = 0;
-    double start;
-};
-
-/// `Least acceleration that meets the criterion a_g = 0.643 g`, or why there is none; for each motion.
-template<int Dim>
-void printLeast(const IncrementalDynamics<Dim>& study, const std::vector<IncrementalCurve>& curves);
 
 /// postProcessing/incrementalDynamics/<startTime>/ of a case.
 std::filesystem::path incrementalDynamicsFolder(const std::filesystem::path& caseDirectory, const Time& time);

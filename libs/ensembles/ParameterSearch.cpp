@@ -16,16 +16,16 @@ namespace drystone
 namespace
 {
 
-nlopt_algorithm algorithmOf(SearchAlgorithm algorithm, bool hasConstraints)
+nlopt_algorithm algorithmOf(SearchAlgorithm algorithm)
 {
     switch (algorithm)
     {
     case SearchAlgorithm::bisection: // is our own
         break;
     case SearchAlgorithm::DIRECT:
-        return hasConstraints ? NLOPT_GN_ORIG_DIRECT : NLOPT_GN_DIRECT;
+        return NLOPT_GN_DIRECT;
     case SearchAlgorithm::DIRECT_L:
-        return hasConstraints ? NLOPT_GN_ORIG_DIRECT_L : NLOPT_GN_DIRECT_L;
+        return NLOPT_GN_DIRECT_L;
     case SearchAlgorithm::CRS2_LM:
         return NLOPT_GN_CRS2_LM;
     case SearchAlgorithm::ISRES:
@@ -44,6 +44,14 @@ nlopt_algorithm algorithmOf(SearchAlgorithm algorithm, bool hasConstraints)
         return NLOPT_LN_PRAXIS;
     }
     return NLOPT_LN_COBYLA;
+}
+
+/// The variant of an algorithm that knows constraints, where it has one of its own.
+nlopt_algorithm withConstraints(nlopt_algorithm algorithm)
+{
+    return algorithm == NLOPT_GN_DIRECT     ? NLOPT_GN_ORIG_DIRECT
+           : algorithm == NLOPT_GN_DIRECT_L ? NLOPT_GN_ORIG_DIRECT_L
+                                            : algorithm;
 }
 
 bool isBetter(const Evaluation& one, const Evaluation& other, double sign)
@@ -232,8 +240,10 @@ std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiserOf(const SearchS
                                                                    unsigned count, std::vector<Limit>& limits)
 {
     const ParameterSearchSettings& settings = problem.settings;
+    const nlopt_algorithm algorithm = algorithmOf(stage.algorithm);
     std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiser(
-        nlopt_create(algorithmOf(stage.algorithm, !settings.constraints.empty()), count), nlopt_destroy);
+        nlopt_create(settings.constraints.empty() ? algorithm : withConstraints(algorithm), count),
+        nlopt_destroy);
     nlopt_set_min_objective(optimiser.get(), objectiveOf, &problem);
     nlopt_set_lower_bounds1(optimiser.get(), 0);
     nlopt_set_upper_bounds1(optimiser.get(), 1);
@@ -279,8 +289,7 @@ std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiserOf(const SearchS
     return optimiser;
 }
 
-/// \param isAstray whether the algorithm has ended at a point that violates more than the best one
-SearchEnd endOf(nlopt_result result, bool isAstray)
+SearchEnd endOf(nlopt_result result)
 {
     switch (result)
     {
@@ -292,7 +301,7 @@ SearchEnd endOf(nlopt_result result, bool isAstray)
     case NLOPT_XTOL_REACHED:
     // Steps have become as small as rounding: no improvement is possible.
     case NLOPT_ROUNDOFF_LIMITED:
-        return isAstray ? SearchEnd::astray : SearchEnd::converged;
+        return SearchEnd::converged;
     default:
         return SearchEnd::failed;
     }
@@ -331,8 +340,9 @@ SearchEnd carryOut(const SearchStage& stage, Problem& problem, std::vector<doubl
     {
         return SearchEnd::interrupted;
     }
-    return problem.isExhausted() ? SearchEnd::evaluations
-                                 : endOf(result, last && last->violation > problem.best->violation);
+    const SearchEnd end = problem.isExhausted() ? SearchEnd::evaluations : endOf(result);
+    const bool isAstray = last && last->violation > problem.best->violation;
+    return end == SearchEnd::converged && isAstray ? SearchEnd::astray : end;
 }
 
 } // namespace

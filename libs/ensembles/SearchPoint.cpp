@@ -46,6 +46,11 @@ double childrenCpuTime()
 
 } // namespace
 
+StudyRuns runsOf(const ParameterSearch& search)
+{
+    return {"system/parameterSearchDict", search.settings.applications, search.settings.cases};
+}
+
 std::string pointText(const ParameterSearchSettings& settings, const std::vector<double>& variables)
 {
     std::string text;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ensembles/ParameterSearch.h"
+#include "ensembles/StudyInput.h"
 #include "runControl/PictureFormats.h"
 
 #include <cstdint>
@@ -23,10 +24,13 @@ struct ParameterSearch
     ParameterSearchSettings settings;
     Dictionary dictionary;            ///< system/parameterSearchDict, for the location in messages
     std::vector<double> start;        ///< of the variables
-    std::string caseInput;            ///< lines of the heading of its history
+    std::string caseInput;            ///< lines at the top of its history
     std::vector<std::string> options; ///< for the applications
     PictureFormats pictureFormats{PictureFormat::svg};
 };
+
+/// What its points follow from.
+StudyRuns runsOf(const ParameterSearch& search);
 
 /// `thickness = 0.1067  mu = 0.4`
 std::string pointText(const ParameterSearchSettings& settings, const std::vector<double>& variables);

@@ -248,11 +248,10 @@ Model<Statistic> sensitivityStatistic()
         {
             Statistic statistic;
             statistic.check = [settings, place = dictionary.location(),
-                               value = dictionary.locationOf("value")](const std::vector<std::string>& names,
-                                                                       bool hasSensitivity)
+                               value = dictionary.locationOf("value")](const StatisticSource& source)
             {
-                requireExpression(settings.value, names, value);
-                if (!hasSensitivity)
+                requireExpression(settings.value, source.names, value);
+                if (!source.hasSensitivityRuns)
                 {
                     throw FatalIOError(
                         "The statistic sensitivity needs samples of its own: write `sensitivity yes;` "

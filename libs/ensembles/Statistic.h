@@ -56,11 +56,19 @@ struct StatisticResult
     std::vector<std::pair<std::string, Plot>> pictures; ///< by suffix of the file's name
 };
 
+/// What statistics are made of.
+struct StatisticSource
+{
+    const std::vector<std::string>& names; ///< of variables and results
+    bool hasSensitivityRuns;               ///< of which Sobol' indices follow
+};
+
 /// A statistic that a dictionary requests.
 struct Statistic
 {
-    /// \param names of variables and results \throws FatalIOError for a name that is not one of them
-    std::function<void(const std::vector<std::string>& names, bool hasSensitivity)> check;
+    /// \throws FatalIOError for a name that is not one of the source, and for runs that are needed and
+    /// missing
+    std::function<void(const StatisticSource&)> check;
     std::function<StatisticResult(const std::string& name, const SampleTable&)> evaluate;
     /// What samples of one curve have in common, where there are curves: the name of a variable, not of a
     /// result.

@@ -7,7 +7,7 @@
 namespace drystone
 {
 
-Model<Statistic> distributionStatistic(); ///< Statistic.cpp
+Model<Statistic> distributionStatistic(); ///< DistributionStatistic.cpp
 Model<Statistic> fragilityStatistic();    ///< FragilityStatistic.cpp
 Model<Statistic> fractilesStatistic();    ///< FractilesStatistic.cpp
 Model<Statistic> sensitivityStatistic();  ///< SensitivityStatistic.cpp

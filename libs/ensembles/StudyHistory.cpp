@@ -114,6 +114,26 @@ std::vector<std::string> columnsOf(const std::string& heading)
         place);
 }
 
+/// Of a row that is what was written, but not by this study.
+[[noreturn]] void refuseOtherRow(std::size_t numbers, const std::string& study, const SourceLocation& place)
+{
+    throw FatalIOError(fmt::format("A row of the history has {} numbers and not something else.\n\n"
+                                   "Remove the row, or postProcessing/{} to start again.",
+                                   numbers, study),
+                       place);
+}
+
+void requireSameHistory(const std::string& text, const fs::path& file, const std::string& heading,
+                        const std::string& study)
+{
+    if (const std::string change = changeOf(text, file, heading, study); !change.empty())
+    {
+        throw FatalError(fmt::format("{} belongs to another {}, so that it cannot be continued: {}. Restore "
+                                     "what was there to continue. Remove postProcessing/{} to start again.",
+                                     file.string(), study, change, study));
+    }
+}
+
 /// The numbers of a line; nothing where it is not what the mark above it is of. \param mark its fingerprint;
 /// empty: within the line, or it has none
 std::optional<std::string> asWritten(const std::string& line, const std::string& mark)
@@ -183,12 +203,7 @@ void readHistory(const fs::path& file, const std::string& heading, std::size_t n
     {
         return;
     }
-    if (const std::string change = changeOf(*text, file, heading, study); !change.empty())
-    {
-        throw FatalError(fmt::format("{} belongs to another {}, so that it cannot be continued: {}. Restore "
-                                     "what was there to continue. Remove postProcessing/{} to start again.",
-                                     file.string(), study, change, study));
-    }
+    requireSameHistory(*text, file, heading, study);
     const auto from =
         std::make_shared<const HistoryFile>(HistoryFile{file.string(), study, columnsOf(heading)});
     std::istringstream lines(text->substr(heading.size()));
@@ -216,10 +231,7 @@ void readHistory(const fs::path& file, const std::string& heading, std::size_t n
         const bool isWhole = row.size() == numbers;
         if (written && !isWhole)
         {
-            throw FatalIOError(fmt::format("A row of the history has {} numbers and not something else.\n\n"
-                                           "Remove the row, or postProcessing/{} to start again.",
-                                           numbers, study),
-                               place);
+            refuseOtherRow(numbers, study, place);
         }
         if (lines.eof())
         {

@@ -6,7 +6,8 @@
 #include "core/WholeFile.h"
 #include "dictionary/Dictionary.h"
 #include "dictionary/FilesInMemory.h"
-#include "ensembles/CaseRuns.h"
+#include "ensembles/ApplicationRun.h"
+#include "ensembles/CaseCopy.h"
 #include "runControl/CaseFiles.h"
 
 #include <fmt/format.h>
@@ -54,13 +55,19 @@ const SourceText* sourceOf(const Dictionary& dictionary)
     return text;
 }
 
+/// What of a dictionary counts.
+enum class ComparedBy
+{
+    tokens,
+    bytes ///< where scripts may read it in their own way
+};
+
 /// Collects files, each once, with what is in them.
 class InputFiles
 {
 public:
-    /// \param hasScripts which may read a dictionary in their own way
-    InputFiles(const fs::path& directory, bool hasScripts)
-        : caseDirectory(directory.lexically_normal()), isByTokens(!hasScripts)
+    InputFiles(const fs::path& directory, ComparedBy what)
+        : caseDirectory(directory.lexically_normal()), comparedBy(what)
     {
     }
 
@@ -130,14 +137,14 @@ private:
     void compareByTokens(const fs::path& file)
     {
         const std::string name = nameOf(file);
-        if (isByTokens && contents.contains(name) && !tokenContents.contains(name))
+        if (comparedBy == ComparedBy::tokens && contents.contains(name) && !tokenContents.contains(name))
         {
             tokenContents[name] = fingerprintOfTokens({name, contentOfFile(file)});
         }
     }
 
     fs::path caseDirectory;
-    bool isByTokens;
+    ComparedBy comparedBy;
     std::map<std::string, std::uint64_t> contents;      ///< fingerprints by name, of the bytes
     std::map<std::string, std::uint64_t> tokenContents; ///< of dictionaries
     std::set<std::string> data;                         ///< that dictionaries name
@@ -266,7 +273,7 @@ std::vector<InputFile> inputOfSearch(const fs::path& caseDirectory)
 std::vector<InputFile> inputOfStudy(const fs::path& caseDirectory, const StudyRuns& runs)
 {
     const fs::path base = (caseDirectory / "").lexically_normal();
-    InputFiles files(base, hasScript(runs));
+    InputFiles files(base, hasScript(runs) ? ComparedBy::bytes : ComparedBy::tokens);
     for (const std::string& name : runs.cases)
     {
         const fs::path directory = (base / name).lexically_normal();

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The log of a run through time: its scene before the first step, each step, and a failure with its remedy.
+/// The log of a run through time: its scene before the first step, each step, and its end.
 #pragma once
 
 #include "dynamics/Motion.h"
@@ -50,9 +50,5 @@ void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion);
 
 /// `End`, or where a run was stopped before its end and whether its state is kept.
 void printStopOrEnd(const Time& time);
-
-/// Why a run ends here, and what may repair it.
-template<int Dim>
-std::string unsolvedStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time);
 
 } // namespace drystone

@@ -134,7 +134,8 @@ Motion<Dim> startOrContinue(const std::filesystem::path& caseDirectory, const Dy
         if (!scene.schemes.smallDisplacements) // whose geometry is the one as built
         {
             refuseStartOverlaps(scene.assembly, initial.placements, places,
-                                traitsOf(scene.effects).isCompliant);
+                                traitsOf(scene.effects).isCompliant ? JointStiffness::elastic
+                                                                    : JointStiffness::rigid);
         }
         questionSteps(time);
         return startMotion(scene, std::move(initial));

@@ -10,6 +10,13 @@
 namespace drystone
 {
 
+void StepsInError::add(double error, double time)
+{
+    timeOfFirst = count == 0 ? time : timeOfFirst;
+    largest = std::max(largest, error);
+    ++count;
+}
+
 template<int Dim>
 MotionSummary<Dim>::MotionSummary(const DynamicCase<Dim>& dynamicCase) : scene(dynamicCase)
 {
@@ -34,13 +41,13 @@ template<int Dim>
 void MotionSummary<Dim>::observe(const DynamicState<Dim>& state, const StepResiduals& residuals)
 {
     ++steps;
-    stepsThatMiss += missesFlow(scene, residuals.flowError);
-    largestMissed = std::max(largestMissed, residuals.flowError);
+    if (missesFlow(scene, residuals.flowError))
+    {
+        missedFlow.add(residuals.flowError, state.time);
+    }
     if (overlooksContacts(scene, residuals.overlookedDepth))
     {
-        timeOfOverlooked = stepsThatOverlook == 0 ? state.time : timeOfOverlooked;
-        largestOverlooked = std::max(largestOverlooked, residuals.overlookedDepth);
-        ++stepsThatOverlook;
+        overlookedContacts.add(residuals.overlookedDepth, state.time);
     }
     double speed = 0;
     for (std::size_t block = 0; block < scene.free.size(); ++block)
@@ -74,70 +81,100 @@ void MotionSummary<Dim>::observe(const DynamicState<Dim>& state, const StepResid
 }
 
 template<int Dim>
+std::string MotionSummary<Dim>::largestDisplacementLine() const
+{
+    return farthestBlock < 0 ? "Largest displacement: 0 m"
+                             : fmt::format("Largest displacement: {:.3g} m, block {}, at {:.4g} s", largest,
+                                           farthestBlock, timeOfLargest);
+}
+
+template<int Dim>
+std::string MotionSummary<Dim>::restLine(const DynamicState<Dim>& last) const
+{
+    if (!rests)
+    {
+        int fastestBlock = -1;
+        double speed = -1;
+        for (std::size_t block = 0; block < scene.free.size(); ++block)
+        {
+            const int free = scene.free[block];
+            if (free >= 0 && speedOf(last, free) > speed)
+            {
+                speed = speedOf(last, free);
+                fastestBlock = static_cast<int>(block);
+            }
+        }
+        return fmt::format("The blocks move at the end, block {} at {:.2g} m/s: a later endTime shows "
+                           "where they come to rest",
+                           fastestBlock, speed);
+    }
+    // A block that rocks is slow at its turning points, for less than it takes to fall through its size.
+    const double pause = std::sqrt(2 * scene.blockSize / std::max(scene.gravity.norm(), 1e-300));
+    return last.time - restsSince >= pause
+               ? fmt::format("The blocks have come to rest, at {:.4g} s", restsSince)
+               : fmt::format("The blocks are at rest since {:.4g} s, which may be a turning point: a "
+                             "later endTime shows it",
+                             restsSince);
+}
+
+template<int Dim>
+std::string MotionSummary<Dim>::farBlocksLine(const DynamicState<Dim>& last) const
+{
+    int far = 0;
+    int freeBlocks = 0;
+    for (std::size_t block = 0; block < scene.free.size(); ++block)
+    {
+        const bool isFree = scene.free[block] >= 0;
+        freeBlocks += isFree;
+        far += isFree && last.placements[block].translation.norm() > 0.5 * scene.blockSize;
+    }
+    return fmt::format("Farther from their places than half the mean block size of {:.3g} m: {} of {} blocks",
+                       scene.blockSize, far, freeBlocks);
+}
+
+template<int Dim>
+std::string MotionSummary<Dim>::missedFlowLine() const
+{
+    const std::string others =
+        missedFlow.count < steps
+            ? fmt::format(", in the others to {:.2g} m", scene.schemes.contactTolerance * scene.blockSize)
+            : "";
+    return fmt::format("Coulomb's law is satisfied to {:.2g} m of dilatancy in {} of {} steps{}: shorter "
+                       "steps miss it by less",
+                       missedFlow.largest, missedFlow.count, steps, others);
+}
+
+template<int Dim>
+std::string MotionSummary<Dim>::overlookedContactsLine() const
+{
+    return fmt::format("Blocks are in each other by up to {:.2g} m at the end of {} of {} steps, the first "
+                       "at {:.4g} s, where no contact was foreseen: shorter steps foresee it",
+                       overlookedContacts.largest, overlookedContacts.count, steps,
+                       overlookedContacts.timeOfFirst);
+}
+
+template<int Dim>
 std::vector<std::string> MotionSummary<Dim>::lines(const DynamicState<Dim>& last) const
 {
     if (steps == 0)
     {
         return {};
     }
-    std::vector<std::string> text;
-    text.push_back(farthestBlock < 0 ? "Largest displacement: 0 m"
-                                     : fmt::format("Largest displacement: {:.3g} m, block {}, at {:.4g} s",
-                                                   largest, farthestBlock, timeOfLargest));
+    std::vector<std::string> text = {largestDisplacementLine()};
     if (fastest <= restSpeed())
     {
         text.push_back(fmt::format("The blocks stand still: none was faster than {:.2g} m/s", fastest));
         return text;
     }
-    int away = 0;
-    int freeBlocks = 0;
-    int fastestBlock = -1;
-    double speed = -1;
-    for (std::size_t block = 0; block < scene.free.size(); ++block)
+    text.push_back(restLine(last));
+    text.push_back(farBlocksLine(last));
+    if (missedFlow.count > 0)
     {
-        const int free = scene.free[block];
-        if (free < 0)
-        {
-            continue;
-        }
-        ++freeBlocks;
-        away += last.placements[block].translation.norm() > 0.5 * scene.blockSize;
-        if (speedOf(last, free) > speed)
-        {
-            speed = speedOf(last, free);
-            fastestBlock = static_cast<int>(block);
-        }
+        text.push_back(missedFlowLine());
     }
-    // A block that rocks is slow at its turning points, for less than it takes to fall through its size.
-    const double pause = std::sqrt(2 * scene.blockSize / std::max(scene.gravity.norm(), 1e-300));
-    const bool isLong = last.time - restsSince >= pause;
-    text.push_back(
-        !rests   ? fmt::format("The blocks move at the end, block {} at {:.2g} m/s: a later endTime shows "
-                                 "where they come to rest",
-                               fastestBlock, speed)
-        : isLong ? fmt::format("The blocks have come to rest, at {:.4g} s", restsSince)
-                 : fmt::format("The blocks are at rest since {:.4g} s, which may be a turning point: a "
-                               "later endTime shows it",
-                               restsSince));
-    text.push_back(
-        fmt::format("Farther from their places than half the mean block size of {:.3g} m: {} of {} blocks",
-                    scene.blockSize, away, freeBlocks));
-    if (stepsThatMiss > 0)
+    if (overlookedContacts.count > 0)
     {
-        const std::string others =
-            stepsThatMiss < steps
-                ? fmt::format(", in the others to {:.2g} m", scene.schemes.contactTolerance * scene.blockSize)
-                : "";
-        text.push_back(fmt::format("Coulomb's law is satisfied to {:.2g} m of dilatancy in {} of {} steps{}: "
-                                   "shorter steps miss it by less",
-                                   largestMissed, stepsThatMiss, steps, others));
-    }
-    if (stepsThatOverlook > 0)
-    {
-        text.push_back(fmt::format("Blocks are in each other by up to {:.2g} m at the end of {} of {} steps, "
-                                   "the first at {:.4g} s, where no contact was foreseen: shorter steps "
-                                   "foresee it",
-                                   largestOverlooked, stepsThatOverlook, steps, timeOfOverlooked));
+        text.push_back(overlookedContactsLine());
     }
     return text;
 }

@@ -32,6 +32,17 @@ bool overlooksContacts(const DynamicCase<Dim>& scene, double depth)
     return depth > mostOverlooked * scene.blockSize;
 }
 
+/// The steps of a run with an error so large that it is said.
+struct StepsInError
+{
+    int count = 0;
+    double largest = 0;     ///< error [m]
+    double timeOfFirst = 0; ///< [s]
+
+    /// \param error of a step that ends at \param time [m], [s]
+    void add(double error, double time);
+};
+
 /// Largest displacement of a mass centre during a run and the state at its end. Holds a reference to the
 /// scene. Displacements are from the structure as built, relative to the ground.
 template<int Dim>
@@ -60,6 +71,12 @@ private:
     /// Speeds of a block at its mass centre and, by its turning, at about its corners: the larger [m/s].
     double speedOf(const DynamicState<Dim>& state, int free) const;
 
+    std::string largestDisplacementLine() const;
+    std::string restLine(const DynamicState<Dim>& last) const;
+    std::string farBlocksLine(const DynamicState<Dim>& last) const;
+    std::string missedFlowLine() const;
+    std::string overlookedContactsLine() const;
+
     const DynamicCase<Dim>& scene;
     double largest = 0; ///< [m]
     int farthestBlock = -1;
@@ -69,12 +86,9 @@ private:
     double fastest = 0;    ///< speed at any time of the run [m/s]
     double restsSince = 0; ///< end of the first step from which no block was faster than restSpeed [s]
     bool rests = false;
-    int steps = 0;                ///< observed
-    int stepsThatMiss = 0;        ///< Coulomb's law
-    double largestMissed = 0;     ///< of it [m]
-    int stepsThatOverlook = 0;    ///< contacts
-    double largestOverlooked = 0; ///< depth by that [m]
-    double timeOfOverlooked = 0;  ///< of the first of these steps [s]
+    int steps = 0;                   ///< observed
+    StepsInError missedFlow;         ///< by dilatancy, see missesFlow
+    StepsInError overlookedContacts; ///< by depth, see overlooksContacts
 };
 
 } // namespace drystone

@@ -81,14 +81,14 @@ struct KernelText
     }
 
     /// Takes a tile's product from C, on and below the diagonal.
-    static void take(const double* product, int row, int column, int rows, int columns, bool isSet, double* c,
-                     long stride)
+    static void take(const double* product, int row, int column, int rows, int columns,
+                     DenseUpdate::Target target, double* c, long stride)
     {
         for (int j = 0; j < columns; ++j, product += height)
         {
             double* to = c + (column + j) * stride + row;
             const int onDiagonal = column + j - row;
-            if (isSet)
+            if (target == DenseUpdate::Target::set)
             {
                 for (int i = onDiagonal > 0 ? onDiagonal : 0; i < rows; ++i)
                 {
@@ -116,7 +116,9 @@ struct KernelText
             for (int beginDepth = 0; beginDepth < task.depth; beginDepth += deep)
             {
                 const int depth = task.depth - beginDepth < deep ? task.depth - beginDepth : deep;
-                const bool isSet = task.target == DenseUpdate::Target::set && beginDepth == 0;
+                // The first depth writes C where it is to be set, the others subtract from that.
+                const DenseUpdate::Target target =
+                    beginDepth == 0 ? task.target : DenseUpdate::Target::subtract;
                 const double* a = task.a + beginDepth * task.aStride;
                 pack(a, task.aStride, beginColumn, columns, depth, width, packedB);
                 for (int beginRow = beginColumn > task.firstRow ? beginColumn : task.firstRow;
@@ -136,7 +138,7 @@ struct KernelText
                                          product);
                             take(product, beginRow + row, beginColumn + column,
                                  rows - row < height ? rows - row : height,
-                                 columns - column < width ? columns - column : width, isSet, task.c,
+                                 columns - column < width ? columns - column : width, target, task.c,
                                  task.cStride);
                         }
                     }

@@ -15,6 +15,7 @@
 #include "functionObjects/LoadMeaning.h"
 #include "report/ActiveDrawing.h"
 #include "report/ReportSections.h"
+#include "report/SortedFiles.h"
 #include "runControl/Application.h"
 #include "runControl/CaseFiles.h"
 
@@ -22,8 +23,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <sstream>
 
 namespace drystone
@@ -33,62 +32,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-/// Whether a name comes before another one, numbers by their value: motion_3 before motion_3.5.
-bool isBefore(std::string_view one, std::string_view other)
-{
-    const auto numberIn = [](std::string_view& text)
-    {
-        double value = 0;
-        const auto end =
-            std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed).ptr;
-        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-        return value;
-    };
-    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-    while (!one.empty() && !other.empty())
-    {
-        if (isDigit(one.front()) && isDigit(other.front()))
-        {
-            const double first = numberIn(one);
-            const double second = numberIn(other);
-            if (first != second)
-            {
-                return first < second;
-            }
-            continue;
-        }
-        if (one.front() != other.front())
-        {
-            return one.front() < other.front();
-        }
-        one.remove_prefix(1);
-        other.remove_prefix(1);
-    }
-    return one.empty() && !other.empty();
-}
-
-/// Files below a folder with an ending, sorted, so that a report is the same each time.
-std::vector<fs::path> filesWithEnding(const fs::path& folder, const std::string& ending)
-{
-    std::vector<fs::path> files;
-    std::error_code none;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, none))
-    {
-        if (entry.is_regular_file(none) && entry.path().extension() == ending)
-        {
-            files.push_back(entry.path());
-        }
-    }
-    std::sort(files.begin(), files.end(),
-              [](const fs::path& one, const fs::path& other)
-              {
-                  // Without the ending, whose full stop may follow a number.
-                  const auto name = [](fs::path file) { return file.replace_extension().string(); };
-                  return isBefore(name(one), name(other));
-              });
-    return files;
-}
 
 template<int Dim>
 void addStructure(HtmlPage& page, const fs::path& caseDirectory, const Assembly<Dim>& assembly)
@@ -207,92 +150,6 @@ void addHistories(HtmlPage& page, const fs::path& caseDirectory)
     {
         page.paragraph(
             fmt::format("{} more are left out; their tables are in postProcessing/.", count - most));
-    }
-}
-
-/// Whether a row that says it has a multiplier has none, or says nothing that there is.
-bool hasNoNumber(const NumberTable& multipliers)
-{
-    for (std::size_t row = 0; row < multipliers.columns.front().size(); ++row)
-    {
-        const std::optional<CollapseStatus> status = storedStatus(multipliers.columns[1][row]);
-        if (!status || (status == CollapseStatus::optimal && !std::isfinite(multipliers.columns[0][row])))
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-/// What is wrong with a table of multipliers as one of this case; empty: nothing.
-std::string faultOfMultipliers(const NumberTable& found, std::size_t freeBlocks)
-{
-    if (found.columns.size() < 10 || found.columns.front().empty() || hasNoNumber(found))
-    {
-        return "holds no multiplier: it is damaged";
-    }
-    const auto blocks = std::find(found.names.begin(), found.names.end(), "blocks");
-    const double counted = blocks == found.names.end()
-                               ? static_cast<double>(freeBlocks)
-                               : found.columns[static_cast<std::size_t>(blocks - found.names.begin())].back();
-    return counted == static_cast<double>(freeBlocks)
-               ? ""
-               : fmt::format("is of {:g} free blocks, and this case has {}", counted, freeBlocks);
-}
-
-/// What cannot be read of the results, a text each.
-std::vector<std::string> damagedResults(const fs::path& caseDirectory, std::size_t freeBlocks)
-{
-    std::vector<std::string> faults;
-    std::error_code none;
-    const fs::path multipliers = limitAnalysisTable(caseDirectory);
-    const std::string fault = faultOfMultipliers(readNumberTable(multipliers), freeBlocks);
-    const bool isOfMechanism =
-        fs::exists(caseDirectory / "VTK/blocks.vtp.series", none) && !isOfMotion(caseDirectory);
-    const bool isExpected = fs::exists(limitAnalysisInput(caseDirectory), none) || isOfMechanism;
-    if (isExpected && !fs::exists(multipliers, none))
-    {
-        faults.push_back(fmt::format("{} is missing, which has the multiplier. Run limitAnalysis again.",
-                                     fs::relative(multipliers, caseDirectory).string()));
-    }
-    else if (fs::exists(multipliers, none) && !fault.empty())
-    {
-        faults.push_back(fmt::format("{} {}. Run limitAnalysis again.",
-                                     fs::relative(multipliers, caseDirectory).string(), fault));
-    }
-    for (const fs::path& file : filesWithEnding(caseDirectory / "postProcessing", ".dat"))
-    {
-        if (const int line = readNumberTable(file).damagedLine; line > 0)
-        {
-            faults.push_back(fmt::format("{} is damaged in line {}: rows that are no numbers are left out.",
-                                         fs::relative(file, caseDirectory).string(), line));
-        }
-    }
-    return faults;
-}
-
-/// Says of a case of which nothing has an answer that there is none. \param isAnyOfStudies whether studies
-/// have
-void addDamage(HtmlPage& page, const fs::path& caseDirectory, std::size_t freeBlocks, bool isAnyOfStudies)
-{
-    std::vector<std::string> faults = damagedResults(caseDirectory, freeBlocks);
-    std::error_code none;
-    if (faults.empty() && !isAnyOfStudies && timesOfStates(caseDirectory).empty()
-        && !fs::exists(limitAnalysisTable(caseDirectory), none))
-    {
-        faults.emplace_back(
-            "There is no answer to report: neither a multiplier of limitAnalysis, nor a state of "
-            "contactDynamics, nor the table of a study. What was run has given none, as its log "
-            "says, or its results were removed.");
-    }
-    if (!faults.empty())
-    {
-        page.heading("Results that are missing or damaged");
-    }
-    for (const std::string& fault : faults)
-    {
-        printWarning(fault);
-        page.paragraph(fault);
     }
 }
 
@@ -436,7 +293,7 @@ std::string reportText(const fs::path& caseDirectory, std::vector<std::string> w
     addOldResults(page, warnings);
     const auto freeBlocks = std::count_if(assembly.blocks.begin(), assembly.blocks.end(),
                                           [](const Block<Dim>& block) { return block.support < 0; });
-    addDamage(page, caseDirectory, static_cast<std::size_t>(freeBlocks), !sections.empty());
+    addDamage(page, caseDirectory, static_cast<std::size_t>(freeBlocks), sections);
     addStructure(page, caseDirectory, assembly);
     addCollapse<Dim>(page, caseDirectory, input);
     addMotion(page, caseDirectory, assembly);

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "assembly/Assembly.h"
+#include "report/CaseReport.h"
 #include "report/HtmlPage.h"
 #include "statics/LimitAnalysis.h"
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace drystone
 {
@@ -29,6 +31,11 @@ void addCollapse(HtmlPage& page, const std::filesystem::path& caseDirectory, Inp
 /// The animation, with what its end shows, and the viewer.
 template<int Dim>
 void addMotion(HtmlPage& page, const std::filesystem::path& caseDirectory, const Assembly<Dim>& assembly);
+
+/// Results that cannot be read; of a case of which nothing has an answer, that there is none. \param sections
+/// of studies that have one
+void addDamage(HtmlPage& page, const std::filesystem::path& caseDirectory, std::size_t freeBlocks,
+               const std::vector<ReportSection>& sections);
 
 /// All input with units.
 template<int Dim>

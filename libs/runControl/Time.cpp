@@ -104,19 +104,25 @@ void Time::startOutput()
     output = OutputControl(settings.output, pointAfter(lengthToHere()), settings.startTime);
 }
 
+void Time::goTo(const TimeState& moment)
+{
+    now = moment.value;
+    count = moment.index;
+    step = moment.deltaT;
+    wanted = moment.wanted;
+    origin = moment.origin;
+    originIndex = moment.originIndex;
+    detourEnd = moment.detourEnd;
+    unfinished = moment.unfinished - (detourEnd > now ? 1 : 0);
+}
+
 void Time::resume(const TimeState& saved)
 {
-    begin = now = saved.value;
+    goTo(saved);
+    begin = now;
     beginning = saved.beginning;
-    count = saved.index;
-    step = saved.deltaT;
-    wanted = saved.wanted;
-    origin = saved.origin;
-    originIndex = saved.originIndex;
-    detourEnd = saved.detourEnd;
     stepToStart = saved.stepLength;
     writeTimes = saved.writeTimes;
-    unfinished = saved.unfinished - (detourEnd > now ? 1 : 0);
     const bool isGivenAnew =
         settings.adjustTimeStep ? saved.given > 0 && saved.given != settings.deltaT : step != settings.deltaT;
     if (isGivenAnew)
@@ -352,14 +358,7 @@ void Time::shortenStep(double shorter)
 
 void Time::abandonStep()
 {
-    now = beforeStep.value;
-    step = beforeStep.deltaT;
-    wanted = beforeStep.wanted;
-    count = beforeStep.index;
-    origin = beforeStep.origin;
-    originIndex = beforeStep.originIndex;
-    detourEnd = beforeStep.detourEnd;
-    unfinished = beforeStep.unfinished - (detourEnd > now ? 1 : 0);
+    goTo(beforeStep);
     lastStep = lastStepBefore;
     write = Write::undecided;
 }

@@ -132,6 +132,8 @@ private:
     bool reread();
     void use(Dictionary read, TimeControls controls);
     void startOutput();
+    /// What changes from step to step becomes what it was at a moment.
+    void goTo(const TimeState& moment);
     /// Lets the times of steps be counted from the present one. \param length of the steps to come [s]
     void countStepsFromHere(double length);
     /// Of the step that led to the present time, in this run or the one that it continues [s].

@@ -104,9 +104,10 @@ public:
 private:
     void findContacts();
     void setGaps();
-    void solvePosition(bool isFirst);
+    bool isFirstPosition() const { return result.curve.empty(); }
+    void solvePosition();
     bool fallsByItself();
-    PushoverEnd reasonWhyUnsolved(bool isFirst);
+    PushoverEnd reasonWhyUnsolved();
     void keepPoint();
     void goBackToZero();
     Eigen::VectorXd motionAboutMiddle();
@@ -190,12 +191,12 @@ void PushoverPath<Dim>::setGaps()
 /// Where the program is not solved: a shorter step, overlaps of the last steps that cannot all be undone left
 /// as they are, and in the end a coarser tolerance, which the certificate of the point tells.
 template<int Dim>
-void PushoverPath<Dim>::solvePosition(bool isFirst)
+void PushoverPath<Dim>::solvePosition()
 {
     solution = solveInteriorPoint(program, solver, &symbolic);
     for (const Attempt& attempt : attempts)
     {
-        if (isFirst || solution.status == SolveStatus::optimal)
+        if (isFirstPosition() || solution.status == SolveStatus::optimal)
         {
             return;
         }
@@ -223,11 +224,11 @@ bool PushoverPath<Dim>::fallsByItself()
 }
 
 template<int Dim>
-PushoverEnd PushoverPath<Dim>::reasonWhyUnsolved(bool isFirst)
+PushoverEnd PushoverPath<Dim>::reasonWhyUnsolved()
 {
     if (fallsByItself())
     {
-        return isFirst ? PushoverEnd::unstable : PushoverEnd::falling;
+        return isFirstPosition() ? PushoverEnd::unstable : PushoverEnd::falling;
     }
     return solution.status == SolveStatus::unbounded ? PushoverEnd::unbounded : PushoverEnd::notConverged;
 }
@@ -243,7 +244,7 @@ void PushoverPath<Dim>::keepPoint()
 template<int Dim>
 void PushoverPath<Dim>::goBackToZero()
 {
-    if (!result.curve.empty())
+    if (!isFirstPosition())
     {
         const CapacityPoint& before = result.curve.back();
         const double share = before.alpha / (before.alpha - point.alpha);
@@ -320,12 +321,11 @@ Pushover PushoverPath<Dim>::follow()
 {
     for (int step = 0; step <= settings.maximumSteps; ++step)
     {
-        const bool isFirst = step == 0;
         findContacts();
-        solvePosition(isFirst);
+        solvePosition();
         if (solution.status != SolveStatus::optimal)
         {
-            result.end = reasonWhyUnsolved(isFirst);
+            result.end = reasonWhyUnsolved();
             if (result.end == PushoverEnd::falling)
             {
                 point.alpha = 0;
@@ -337,7 +337,7 @@ Pushover PushoverPath<Dim>::follow()
         point.worst = certify(program, solution).worst();
         point.iterations = solution.iterations;
         // The live load may hold up what does not stand by itself.
-        if (isFirst && (point.alpha < 0 || fallsByItself()))
+        if (isFirstPosition() && (point.alpha < 0 || fallsByItself()))
         {
             result.end = PushoverEnd::unstable;
             return std::move(result);

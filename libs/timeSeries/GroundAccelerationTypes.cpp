@@ -344,35 +344,11 @@ void read(TokenCursor& cursor, UnitName& name)
     }
 }
 
-void declare(Options& options, RecordMotion& settings)
+namespace
 {
-    options.required("file", settings.file, "the record, relative to the case directory")
-        .example("\"constant/record.AT2\"");
-    options.optional("format", settings.format, "how the file is laid out");
-    options.optional("unit", settings.unit,
-                     fmt::format("of the values: {}; where neither this nor the file says it, a csv file is "
-                                 "in m/s2",
-                                 accelerationUnits));
-    options.optional(
-        "timeColumn", settings.timeColumn,
-        "of a csv file: its position counted from 0, or its title; the first one when absent; in "
-        "seconds, or in the unit of its title, as in `time [ms]`");
-    options.optional("accelerationColumn", settings.accelerationColumn,
-                     "of a csv file: its position counted from 0, or its title; absent: the second one, with "
-                     "timeStep the only one");
-    options
-        .optional("timeStep", settings.timeStep, "of a csv file without a column of times; 0 when it has one")
-        .unit("s")
-        .atLeast(0);
-    options.optional("baseline", settings.baseline, "drift to be taken away, fitted by least squares");
-    options.optional("scale", settings.scale, "factor on the accelerations");
-    options.optional("peakAcceleration", settings.peakAcceleration, "scale to this peak instead")
-        .unit("m/s2")
-        .above(0)
-        .usual(0, strongestGround);
-    options.optional("padding", settings.padding, "stillness added before and after").unit("s").atLeast(0);
-    options.optional("start", settings.start, "when the padded record begins").unit("s");
-    options.optional("interpolation", settings.interpolation, "between the values");
+
+void declareChecks(Options& options, const RecordMotion& settings)
+{
     options.check("peakAcceleration",
                   [&settings]
                   {
@@ -407,6 +383,40 @@ void declare(Options& options, RecordMotion& settings)
                 "'{}' is not a unit of acceleration that Drystone knows.\n\nDeclare the unit as {}.",
                 settings.unit->text, accelerationUnits);
         });
+}
+
+} // namespace
+
+void declare(Options& options, RecordMotion& settings)
+{
+    options.required("file", settings.file, "the record, relative to the case directory")
+        .example("\"constant/record.AT2\"");
+    options.optional("format", settings.format, "how the file is laid out");
+    options.optional("unit", settings.unit,
+                     fmt::format("of the values: {}; where neither this nor the file says it, a csv file is "
+                                 "in m/s2",
+                                 accelerationUnits));
+    options.optional(
+        "timeColumn", settings.timeColumn,
+        "of a csv file: its position counted from 0, or its title; the first one when absent; in "
+        "seconds, or in the unit of its title, as in `time [ms]`");
+    options.optional("accelerationColumn", settings.accelerationColumn,
+                     "of a csv file: its position counted from 0, or its title; absent: the second one, with "
+                     "timeStep the only one");
+    options
+        .optional("timeStep", settings.timeStep, "of a csv file without a column of times; 0 when it has one")
+        .unit("s")
+        .atLeast(0);
+    options.optional("baseline", settings.baseline, "drift to be taken away, fitted by least squares");
+    options.optional("scale", settings.scale, "factor on the accelerations");
+    options.optional("peakAcceleration", settings.peakAcceleration, "scale to this peak instead")
+        .unit("m/s2")
+        .above(0)
+        .usual(0, strongestGround);
+    options.optional("padding", settings.padding, "stillness added before and after").unit("s").atLeast(0);
+    options.optional("start", settings.start, "when the padded record begins").unit("s");
+    options.optional("interpolation", settings.interpolation, "between the values");
+    declareChecks(options, settings);
 }
 
 DescribedAcceleration recordedAcceleration(const RecordMotion& motion,

@@ -109,7 +109,7 @@ TEST(SlidingLawInSpace, APointLeavesTheDiscWhereItsShearComesToTheLimit)
         {
             continue;
         }
-        const double length = lengthInDisc(limit, w, change, isOnIt);
+        const double length = lengthInDisc(limit, w, change, isOnIt ? DiscPlace::rim : DiscPlace::inside);
         // While the normal force is there, the limit is a cone.
         const double farthest = change[0] < 0 ? -normal / change[0] : 1e3;
         const double end = std::min(length, farthest);

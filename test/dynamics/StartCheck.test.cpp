@@ -34,14 +34,14 @@ protected:
     }
     void TearDown() override { std::filesystem::remove_all(directory); }
 
-    std::string report(const std::string& start, bool isElastic = false)
+    std::string report(const std::string& start, JointStiffness joints = JointStiffness::rigid)
     {
         std::ofstream(directory / "0/motion") << "1\n{\n    " << start << "\n}\n";
         try
         {
             const InitialState<2> initial = readInitialMotion(directory, "0", assembly);
             state = initial.state;
-            refuseStartOverlaps(assembly, state.placements, initial.places, isElastic);
+            refuseStartOverlaps(assembly, state.placements, initial.places, joints);
         }
         catch (const FatalIOError& error)
         {
@@ -58,10 +58,11 @@ protected:
 TEST_F(StartCheck, ElasticJointsMayStartPressedTogether)
 {
     testing::internal::CaptureStderr();
-    EXPECT_EQ(report("displacement (0 -0.01);", true), "no error");
+    EXPECT_EQ(report("displacement (0 -0.01);", JointStiffness::elastic), "no error");
     EXPECT_THAT(testing::internal::GetCapturedStderr(),
                 AllOf(HasSubstr("block 1 is 0.01 m deep in block 0"), HasSubstr("0/motion/1 at line 1")));
-    EXPECT_THAT(report("displacement (0 -0.5);", true), HasSubstr("block 1 is 0.5 m deep in block 0"));
+    EXPECT_THAT(report("displacement (0 -0.5);", JointStiffness::elastic),
+                HasSubstr("block 1 is 0.5 m deep in block 0"));
     EXPECT_THAT(report("displacement (0 -0.01);"), HasSubstr("block 1 is 0.01 m deep in block 0"));
 }
 

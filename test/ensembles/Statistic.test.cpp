@@ -23,7 +23,7 @@ namespace
 StatisticResult evaluated(const std::string& text, const SampleTable& table)
 {
     const Statistic statistic = statisticTypes().select(Dictionary::readString(text, "system/ensembleDict"));
-    statistic.check(table.names, table.sensitivityRuns > 0);
+    statistic.check({.names = table.names, .hasSensitivityRuns = table.sensitivityRuns > 0});
     return statistic.evaluate("test", table);
 }
 

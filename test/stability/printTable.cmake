@@ -1,5 +1,6 @@
 # Prints the table of the stability suite from the rows that its tests have left in the folder `rows`, and keeps it
-# there as table.txt; what does not hold stands once more at the end. Silent when there are none, or when DRYSTONE_STABILITY_TABLE is `no`.
+# there as table.txt; what does not hold stands once more at the end. Silent when there are none, or when
+# DRYSTONE_STABILITY_TABLE is `no`.
 file(GLOB cases LIST_DIRECTORIES true ${rows}/[0-9]*)
 if(NOT cases)
     return()

@@ -15,6 +15,7 @@
 #include "functionObjects/MotionLog.h"
 #include "functionObjects/MotionResults.h"
 #include "functionObjects/StoredStates.h"
+#include "functionObjects/UnsolvedStep.h"
 #include "runControl/Application.h"
 #include "runControl/Case.h"
 #include "runControl/ReportApplication.h"

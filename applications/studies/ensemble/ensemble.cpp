@@ -126,11 +126,17 @@ int process(const Ensemble& ensemble)
     return status;
 }
 
-/// Computes the samples that are not there yet, and makes the tables. \param reports whether this program is
-/// the one of its launch that writes the log
-int compute(const Ensemble& ensemble, const WorkerSettings& workers, bool reports)
+/// Whether this program is the one of its launch that writes the log.
+bool writesLog(const LaunchedAs& launched)
+{
+    return launched.rank == 0 || launched.isArray;
+}
+
+/// Computes the samples that are not there yet, and makes the tables.
+int compute(const Ensemble& ensemble, const WorkerSettings& workers)
 {
     catchStopSignals();
+    const bool reports = writesLog(workers.launched);
     if (reports)
     {
         // Made before the case is tried in a copy there, which takes away the folders that it had to make:
@@ -168,9 +174,7 @@ int run(const CommandLine& commandLine)
     }
     const Ensemble ensemble = ensembleOf(commandLine);
     const LaunchedAs launched = commandLine.parallel ? launchedAs() : LaunchedAs();
-    const bool isFirst = launched.rank == 0;
-    const bool reports = isFirst || launched.isArray;
-    if (reports)
+    if (writesLog(launched))
     {
         printEnsemble(ensemble);
     }
@@ -191,7 +195,7 @@ int run(const CommandLine& commandLine)
     {
         return process(ensemble);
     }
-    return compute(ensemble, {jobsOf(commandLine), launched, isFirst && !launched.isArray}, reports);
+    return compute(ensemble, {jobsOf(commandLine), launched, launched.rank == 0 && !launched.isArray});
 }
 
 /// The two files of -evaluate as one argument, a line each: other options have one.

@@ -7,6 +7,7 @@
 #include "core/Signals.h"
 #include "core/WholeFile.h"
 #include "ensembles/IncrementalDynamicsCase.h"
+#include "ensembles/IncrementalDynamicsLog.h"
 #include "ensembles/IncrementalHistory.h"
 #include "functionObjects/LimitAnalysisResults.h"
 #include "runControl/Application.h"

@@ -4,6 +4,8 @@
 #include "core/Log.h"
 #include "core/Signals.h"
 #include "ensembles/ParameterSearchCase.h"
+#include "ensembles/SearchReport.h"
+#include "ensembles/SearchRun.h"
 #include "runControl/Application.h"
 
 using namespace drystone;

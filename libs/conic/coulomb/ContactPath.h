@@ -109,8 +109,8 @@ private:
     double senseBeyond(const Exit& last, const VectorXd& rate) const;
     void settleOnPieces();
     double farthestOutside() const;
-    struct Heading;
-    bool walkStiffening(Heading& heading, double length, double farthest);
+    struct Travel;
+    bool walkStiffening(Travel& travel, double length, double farthest);
     bool changePiece(int point, const Force& u, const Force& v, const Derivative& derivative,
                      VectorXd& direction, VectorXd& rate);
     bool isRounding(const VectorXd& left) const;

@@ -144,8 +144,15 @@ Eigen::VectorXd ContactSystem<Rows, Forces>::closings(const VectorXd& x) const
 }
 
 template<int Rows, int Forces>
-bool ContactSystem<Rows, Forces>::factorise(const VectorXd& rho,
-                                            const std::vector<PointForce<Forces>>& pieces)
+typename ContactSystem<Rows, Forces>::Block& ContactSystem<Rows, Forces>::diagonal(int body)
+{
+    return symmetric ? symmetric->diagonal(placeOf(body))
+                     : lower[static_cast<std::size_t>(
+                         unsymmetric->pattern().columnStart[static_cast<std::size_t>(placeOf(body))])];
+}
+
+template<int Rows, int Forces>
+void ContactSystem<Rows, Forces>::setToIdentity()
 {
     if (symmetric)
     {
@@ -153,17 +160,48 @@ bool ContactSystem<Rows, Forces>::factorise(const VectorXd& rho,
     }
     std::fill(lower.begin(), lower.end(), Block::Zero());
     std::fill(upperTransposed.begin(), upperTransposed.end(), Block::Zero());
-    const auto placeOf = [this](int body) { return position[static_cast<std::size_t>(body)]; };
-    const auto diagonal = [&](int body) -> Block&
-    {
-        return symmetric ? symmetric->diagonal(placeOf(body))
-                         : lower[static_cast<std::size_t>(
-                             unsymmetric->pattern().columnStart[static_cast<std::size_t>(placeOf(body))])];
-    };
     for (int body = 0; body < static_cast<int>(root.size()); ++body)
     {
         diagonal(body).setIdentity();
     }
+}
+
+/// The blocks of both bodies of a point off the diagonal. \param first, second: A D of each
+template<int Rows, int Forces>
+void ContactSystem<Rows, Forces>::addCoupling(std::size_t point, const PieceForces& first,
+                                              const PieceForces& second)
+{
+    const ConeColumns<Rows, Forces>& column = columns[point];
+    const bool isFirstLater = placeOf(column.first) > placeOf(column.second);
+    Block& below =
+        symmetric ? symmetric->coupling(slot[point]) : lower[static_cast<std::size_t>(slot[point])];
+    if (isFirstLater)
+    {
+        below += first * column.onSecond.transpose();
+    }
+    else
+    {
+        below += second * column.onFirst.transpose();
+    }
+    if (unsymmetric)
+    {
+        Block& above = upperTransposed[static_cast<std::size_t>(slot[point])];
+        if (isFirstLater)
+        {
+            above += column.onFirst * second.transpose();
+        }
+        else
+        {
+            above += column.onSecond * first.transpose();
+        }
+    }
+}
+
+template<int Rows, int Forces>
+bool ContactSystem<Rows, Forces>::factorise(const VectorXd& rho,
+                                            const std::vector<PointForce<Forces>>& pieces)
+{
+    setToIdentity();
     for (std::size_t point = 0; point < columns.size(); ++point)
     {
         if (pieces[point].derivative.isZero(0))
@@ -173,8 +211,8 @@ bool ContactSystem<Rows, Forces>::factorise(const VectorXd& rho,
         const Eigen::Matrix<double, Forces, Forces> change =
             rho[static_cast<Eigen::Index>(point)] * pieces[point].derivative;
         const ConeColumns<Rows, Forces>& column = columns[point];
-        const Eigen::Matrix<double, Rows, Forces> first = column.onFirst * change;
-        const Eigen::Matrix<double, Rows, Forces> second = column.onSecond * change;
+        const PieceForces first = column.onFirst * change;
+        const PieceForces second = column.onSecond * change;
         if (column.first >= 0)
         {
             diagonal(column.first) += first * column.onFirst.transpose();
@@ -183,32 +221,9 @@ bool ContactSystem<Rows, Forces>::factorise(const VectorXd& rho,
         {
             diagonal(column.second) += second * column.onSecond.transpose();
         }
-        if (column.first < 0 || column.second < 0)
+        if (column.first >= 0 && column.second >= 0)
         {
-            continue;
-        }
-        const bool isFirstLater = placeOf(column.first) > placeOf(column.second);
-        Block& below =
-            symmetric ? symmetric->coupling(slot[point]) : lower[static_cast<std::size_t>(slot[point])];
-        if (isFirstLater)
-        {
-            below += first * column.onSecond.transpose();
-        }
-        else
-        {
-            below += second * column.onFirst.transpose();
-        }
-        if (unsymmetric)
-        {
-            Block& above = upperTransposed[static_cast<std::size_t>(slot[point])];
-            if (isFirstLater)
-            {
-                above += column.onFirst * second.transpose();
-            }
-            else
-            {
-                above += column.onSecond * first.transpose();
-            }
+            addCoupling(point, first, second);
         }
     }
     return symmetric ? symmetric->factorise() : unsymmetric->factorise(lower, upperTransposed);

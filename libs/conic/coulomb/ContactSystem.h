@@ -61,6 +61,12 @@ public:
 
 private:
     using Block = Eigen::Matrix<double, Rows, Rows>;
+    using PieceForces = Eigen::Matrix<double, Rows, Forces>;
+
+    int placeOf(int body) const { return position[static_cast<std::size_t>(body)]; }
+    Block& diagonal(int body);
+    void setToIdentity();
+    void addCoupling(std::size_t point, const PieceForces& first, const PieceForces& second);
 
     const Sliding sliding;
     std::vector<Block> root;                        ///< L

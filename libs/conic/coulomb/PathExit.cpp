@@ -43,8 +43,9 @@ PathExit<Forces> firstExit(const std::vector<SlidingLaw>& laws, const std::vecto
             const PointState<Forces>& state = states[static_cast<std::size_t>(point)];
             const ShearLimit limit = shearLimit(laws[static_cast<std::size_t>(point)], state);
             const bool cameIn = point == last.point && !last.side.normal.template tail<2>().isZero(0);
+            const DiscPlace place = cameIn ? DiscPlace::rim : DiscPlace::inside;
             const double toRound = state.sticks() && limit.isThere()
-                                       ? lengthInDisc(limit, trial, change, cameIn)
+                                       ? lengthInDisc(limit, trial, change, place)
                                        : std::numeric_limits<double>::infinity();
             if (toRound < length)
             {

@@ -272,21 +272,27 @@ PieceSides<Forces> sidesOf(const SlidingLaw& law, const PointState<Forces>& stat
     return sides;
 }
 
-/// In space, how far a point that sticks goes along a change of w until |w_t| is C + mu c_n. \param isOnIt
-/// whether w is on that side and goes inwards: then up to where it comes to it again \return infinite where
-/// it does not
+/// Where in the disc of its shear, |w_t| <= C + mu c_n, a point is that sticks in space.
+enum class DiscPlace
+{
+    inside,
+    rim ///< from where it goes inwards
+};
+
+/// In space, how far a point that sticks goes along a change of w until it comes to the rim of its disc, from
+/// the rim until it comes to it again. \return infinite where it does not
 inline double lengthInDisc(const ShearLimit& limit, const Eigen::Vector3d& w, const Eigen::Vector3d& change,
-                           bool isOnIt)
+                           DiscPlace place)
 {
     // |w_t + s d_t|^2 - (C + mu (w_n + s d_n))^2 = a s^2 + 2 b s + c, and c <= 0 on the piece.
     const double now = limit.cohesion + limit.mu * w[0];
     const double growth = limit.mu * change[0];
     const double a = change.tail<2>().squaredNorm() - growth * growth;
     const double b = w.tail<2>().dot(change.tail<2>()) - now * growth;
-    const double c = isOnIt ? 0 : std::min(0.0, w.tail<2>().squaredNorm() - now * now);
+    const double c = place == DiscPlace::rim ? 0 : std::min(0.0, w.tail<2>().squaredNorm() - now * now);
     const double infinite = std::numeric_limits<double>::infinity();
     const double inRoot = b * b - a * c;
-    if (inRoot < 0 || (b <= 0 && a <= 0) || (isOnIt && b >= 0))
+    if (inRoot < 0 || (b <= 0 && a <= 0) || (place == DiscPlace::rim && b >= 0))
     {
         return infinite;
     }

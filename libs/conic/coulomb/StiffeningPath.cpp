@@ -29,7 +29,7 @@ constexpr double softerThanStart = 0.05;
 
 /// How the path goes on from one of its linear pieces to the next.
 template<int Rows, int Forces>
-struct ContactPath<Rows, Forces>::Heading
+struct ContactPath<Rows, Forces>::Travel
 {
     double sense = 1; ///< 1 towards stiffer points, or -1
     VectorXd rate;    ///< of w, by the piece before; empty at the start
@@ -71,17 +71,17 @@ double ContactPath<Rows, Forces>::farthestOutside() const
 ///
 ///     dx + A D dw = 0,    dw = w + k0 A'dx,    or    (1 + k0 A D A') dx = -A D w,
 ///
-/// exact at open points of blocks that stay where they are. \param heading at its begin, then at its end
+/// exact at open points of blocks that stay where they are. \param travel at its begin, then at its end
 /// \param length of t, either way \param farthest t \return whether there is a way on
 template<int Rows, int Forces>
-bool ContactPath<Rows, Forces>::walkStiffening(Heading& heading, double length, double farthest)
+bool ContactPath<Rows, Forces>::walkStiffening(Travel& travel, double length, double farthest)
 {
     const VectorXd change = w;
     VectorXd direction = matrix.solve(-system.forcesOnBodies(forceChange(change)));
     VectorXd rate = change + stiffness * system.closings(direction);
     // A curve that turns back within a piece: the sense in which w goes on is kept.
-    const bool turns = heading.rate.size() > 0 && heading.rate.dot(rate) < 0;
-    double sense = turns ? -heading.sense : heading.sense;
+    const bool turns = travel.rate.size() > 0 && travel.rate.dot(rate) < 0;
+    double sense = turns ? -travel.sense : travel.sense;
     double t = 0;
     Exit last;
     for (;;)
@@ -112,7 +112,7 @@ bool ContactPath<Rows, Forces>::walkStiffening(Heading& heading, double length, 
         }
         last = exit;
     }
-    heading = {sense, std::move(rate)};
+    travel = {sense, std::move(rate)};
     stiffness *= 1 + t;
     return true;
 }
@@ -139,10 +139,10 @@ bool ContactPath<Rows, Forces>::stiffen(double toStiffness)
         VectorXd x, w;
         std::vector<PointState<Forces>> states;
         double stiffness;
-        Heading heading;
+        Travel travel;
     };
-    Heading heading;
-    Halt halt{x, w, states, stiffness, heading}; // where the last piece began
+    Travel travel;
+    Halt halt{x, w, states, stiffness, travel}; // where the last piece began
     double length = firstLength;
     bool isBack = true;
     while (matrix.factorisations < settings.maximumFactorisations && stiffness > least)
@@ -161,7 +161,7 @@ bool ContactPath<Rows, Forces>::stiffen(double toStiffness)
             w = halt.w;
             states = halt.states;
             stiffness = halt.stiffness;
-            heading = halt.heading;
+            travel = halt.travel;
             length *= shortened;
             isBack = true;
             continue;
@@ -171,10 +171,10 @@ bool ContactPath<Rows, Forces>::stiffen(double toStiffness)
             findForces();
             return true;
         }
-        halt = {x, w, states, stiffness, heading};
+        halt = {x, w, states, stiffness, travel};
         length = isBack ? length : std::min(longestLength, 2 * length);
         isBack = false;
-        if (!walkStiffening(heading, length, toStiffness / stiffness - 1))
+        if (!walkStiffening(travel, length, toStiffness / stiffness - 1))
         {
             return false;
         }
@@ -186,7 +186,7 @@ bool ContactPath<Rows, Forces>::stiffen(double toStiffness)
 
 template void ContactPath<3, 2>::settleOnPieces();
 template double ContactPath<3, 2>::farthestOutside() const;
-template bool ContactPath<3, 2>::walkStiffening(Heading&, double, double);
+template bool ContactPath<3, 2>::walkStiffening(Travel&, double, double);
 template bool ContactPath<3, 2>::stiffen(double);
 
 } // namespace drystone

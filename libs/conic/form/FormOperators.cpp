@@ -50,69 +50,92 @@ void applyTransposed(const Form<Rows>& form, const VectorOf<Scalar>& y, VectorOf
     }
 }
 
+namespace
+{
+
+/// Of the entries of one group, as it acts on its first body.
+template<int Rows, class Scalar>
+ColumnOf<Rows, Scalar> forceOf(const Form<Rows>& form, const typename Form<Rows>::Group& group,
+                               const ConeRanges& cones, const VectorOf<Scalar>& s)
+{
+    ColumnOf<Rows, Scalar> sum = ColumnOf<Rows, Scalar>::Zero();
+    for (int ray = group.begin; ray < group.end; ++ray)
+    {
+        sum += rayOf<Rows, Scalar>(form, ray) * s[ray];
+    }
+    for (int round = group.beginRound; round < group.endRound; ++round)
+    {
+        sum += form.rounds[static_cast<std::size_t>(round)].template cast<Scalar>().lazyProduct(
+            s.template segment<3>(cones.at(round)));
+    }
+    return sum;
+}
+
+template<int Rows, class Scalar>
+void addForcesInTurn(const Form<Rows>& form, const VectorOf<Scalar>& s, VectorOf<Scalar>& out)
+{
+    const ConeRanges cones = form.cones();
+    for (const typename Form<Rows>::Group& group : form.groups)
+    {
+        const ColumnOf<Rows, Scalar> sum = forceOf(form, group, cones, s);
+        if (group.first < form.bodies)
+        {
+            out.template segment<Rows>(Rows * group.first) += onFirst<Rows, Scalar>(sum);
+        }
+        if (group.second < form.bodies)
+        {
+            out.template segment<Rows>(Rows * group.second) += onSecond<Rows, Scalar>(sum);
+        }
+    }
+}
+
+/// In shares for threads: what another share adds to as well is lent a place of its own until all are done.
+template<int Rows, class Scalar>
+void addForcesInShares(const Form<Rows>& form, const VectorOf<Scalar>& s, VectorOf<Scalar>& out)
+{
+    const ConeRanges cones = form.cones();
+    VectorOf<Scalar> lent =
+        VectorOf<Scalar>::Constant(Rows * static_cast<Eigen::Index>(form.lent.size()), Scalar(0));
+    const auto add = [&](int place, const RowsOf<Rows, Scalar>& rows)
+    {
+        if (place < form.bodies)
+        {
+            out.template segment<Rows>(Rows * place) += rows;
+        }
+        else if (place > form.bodies)
+        {
+            lent.template segment<Rows>(Rows * (place - form.bodies - 1)) += rows;
+        }
+    };
+    carryOut(static_cast<int>(form.shares.size()),
+             [&](int share, int)
+             {
+                 for (int at = form.shares[share].begin; at < form.shares[share].end; ++at)
+                 {
+                     const ColumnOf<Rows, Scalar> sum = forceOf(form, form.groups[at], cones, s);
+                     add(form.places[at][0], onFirst<Rows, Scalar>(sum));
+                     add(form.places[at][1], onSecond<Rows, Scalar>(sum));
+                 }
+             });
+    for (std::size_t place = 0; place < form.lent.size(); ++place)
+    {
+        out.template segment<Rows>(Rows * form.lent[place]) +=
+            lent.template segment<Rows>(Rows * static_cast<Eigen::Index>(place));
+    }
+}
+
+} // namespace
+
 template<int Rows, class Scalar>
 void addForces(const Form<Rows>& form, const VectorOf<Scalar>& s, VectorOf<Scalar>& out)
 {
-    const ConeRanges cones = form.cones();
-    const auto sumOf = [&](const typename Form<Rows>::Group& group)
-    {
-        ColumnOf<Rows, Scalar> sum = ColumnOf<Rows, Scalar>::Zero();
-        for (int ray = group.begin; ray < group.end; ++ray)
-        {
-            sum += rayOf<Rows, Scalar>(form, ray) * s[ray];
-        }
-        for (int round = group.beginRound; round < group.endRound; ++round)
-        {
-            sum += form.rounds[static_cast<std::size_t>(round)].template cast<Scalar>().lazyProduct(
-                s.template segment<3>(cones.at(round)));
-        }
-        return sum;
-    };
     if (form.shares.empty())
     {
-        for (const typename Form<Rows>::Group& group : form.groups)
-        {
-            const ColumnOf<Rows, Scalar> sum = sumOf(group);
-            if (group.first < form.bodies)
-            {
-                out.template segment<Rows>(Rows * group.first) += onFirst<Rows, Scalar>(sum);
-            }
-            if (group.second < form.bodies)
-            {
-                out.template segment<Rows>(Rows * group.second) += onSecond<Rows, Scalar>(sum);
-            }
-        }
+        addForcesInTurn(form, s, out);
     }
     else
     {
-        VectorOf<Scalar> lent =
-            VectorOf<Scalar>::Constant(Rows * static_cast<Eigen::Index>(form.lent.size()), Scalar(0));
-        const auto add = [&](int place, const RowsOf<Rows, Scalar>& rows)
-        {
-            if (place < form.bodies)
-            {
-                out.template segment<Rows>(Rows * place) += rows;
-            }
-            else if (place > form.bodies)
-            {
-                lent.template segment<Rows>(Rows * (place - form.bodies - 1)) += rows;
-            }
-        };
-        carryOut(static_cast<int>(form.shares.size()),
-                 [&](int share, int)
-                 {
-                     for (int at = form.shares[share].begin; at < form.shares[share].end; ++at)
-                     {
-                         const ColumnOf<Rows, Scalar> sum = sumOf(form.groups[at]);
-                         add(form.places[at][0], onFirst<Rows, Scalar>(sum));
-                         add(form.places[at][1], onSecond<Rows, Scalar>(sum));
-                     }
-                 });
-        for (std::size_t place = 0; place < form.lent.size(); ++place)
-        {
-            out.template segment<Rows>(Rows * form.lent[place]) +=
-                lent.template segment<Rows>(Rows * static_cast<Eigen::Index>(place));
-        }
+        addForcesInShares(form, s, out);
     }
     for (std::size_t limit = 0; limit < form.limits.size(); ++limit)
     {

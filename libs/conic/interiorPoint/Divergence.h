@@ -60,20 +60,33 @@ inline bool isFall(const Eigen::VectorXd& load, const Eigen::VectorXd& liveLoad,
     return missed <= error * share;
 }
 
-/// Whether iterates run off along a ray. Displacements do so slowly, for the proximal term of the Schur
-/// system holds them: where after many iterations they are large and the balance is not near, more show no
-/// more. \param displacement, force and balance: largest of the displacements, the forces and what is left of
-/// the balance, scaled \param multiplier alpha \param hasInertia then displacements are bounded
-inline bool runsOff(int iterations, double displacement, double force, double balance, double multiplier,
-                    bool hasInertia)
+/// How large iterates have become, scaled.
+struct IterateSizes
+{
+    double displacement; ///< the largest
+    double force;        ///< the largest
+    double balance;      ///< the largest of what is left of it
+    double multiplier;   ///< alpha
+
+    double loads() const { return std::max(1.0, std::abs(multiplier)); }
+};
+
+/// Whether iterates run off along a ray.
+inline bool runsOff(const IterateSizes& at)
 {
     constexpr double far = 1e13;
+    return std::abs(at.multiplier) > far || at.displacement > far || at.force > far * at.loads();
+}
+
+/// Whether displacements that no inertia bounds run off. They do so slowly, for the proximal term of the
+/// Schur system holds them: where after many iterations they are large and the balance is not near, more show
+/// no more.
+inline bool runsOffSlowly(const IterateSizes& at, int iterations)
+{
     constexpr int many = 30;
     constexpr double large = 1e6;
     constexpr double near = 1e-3;
-    const double loads = std::max(1.0, std::abs(multiplier));
-    const bool isLost = !hasInertia && iterations >= many && displacement > large && balance > near * loads;
-    return isLost || std::abs(multiplier) > far || displacement > far || force > far * loads;
+    return iterations >= many && at.displacement > large && at.balance > near * at.loads();
 }
 
 /// The balance of a program's live load alone. With its gaps, as what forces at points apart would cost

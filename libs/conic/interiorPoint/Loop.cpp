@@ -135,7 +135,7 @@ bool InteriorPointLoop<Rows, Scalar>::runNear(const Eigen::VectorXd& s, const Ei
 }
 
 template<int Rows, class Scalar>
-bool InteriorPointLoop<Rows, Scalar>::runInside(Iterate<double> interior, const Eigen::VectorXd& heading)
+bool InteriorPointLoop<Rows, Scalar>::runInside(Iterate<double> interior, const Eigen::VectorXd& displacement)
 {
     if constexpr (std::is_same_v<Scalar, double>)
     {
@@ -145,7 +145,7 @@ bool InteriorPointLoop<Rows, Scalar>::runInside(Iterate<double> interior, const 
         }
         iteration = 0;
         newton.begin(0);
-        if (startInside(std::move(interior), heading, state))
+        if (startInside(std::move(interior), displacement, state))
         {
             return iterate(wide, Passed::kept, std::min(mostFromInterior, state.settings.maximumIterations),
                            mostShortStepsFromInterior);

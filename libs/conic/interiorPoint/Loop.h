@@ -29,7 +29,7 @@ public:
     bool runNear(const Eigen::VectorXd& s, const Eigen::VectorXd& y, double error);
 
     /// Iterates likewise from where an earlier program passed (see startInside).
-    bool runInside(Iterate<double> interior, const Eigen::VectorXd& heading);
+    bool runInside(Iterate<double> interior, const Eigen::VectorXd& displacement);
 
     const Iterate<Scalar>& iterate() const { return state.at; }
     Ending ending() const { return end; } ///< of the last iterations

@@ -95,14 +95,14 @@ ConeSolution solveOnce(const ConeProgram<Rows, Forces>& program, const InteriorP
     if (near)
     {
         const double error = certifyOptimal(program, *near).worst();
-        const Eigen::VectorXd heading = rowsOf(form, near->displacement);
+        const Eigen::VectorXd displacement = rowsOf(form, near->displacement);
         if (error <= nearEnough)
         {
-            converged = loop.runNear(conesOf(program, form, near->contactForce), heading, error);
+            converged = loop.runNear(conesOf(program, form, near->contactForce), displacement, error);
         }
         if (!converged && near->interior.contactForce.size() == Forces * program.points())
         {
-            converged = loop.runInside(interiorIterate(program, form, near->interior), heading);
+            converged = loop.runInside(interiorIterate(program, form, near->interior), displacement);
         }
     }
     // The least forces of a time step say little, as they leave inertia out: unit forces come first there.

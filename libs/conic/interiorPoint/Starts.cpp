@@ -196,12 +196,12 @@ void startNear(const Eigen::VectorXd& s, const Eigen::VectorXd& y, double error,
 }
 
 template<int Rows>
-bool startInside(Iterate<double> interior, const Eigen::VectorXd& heading, State<Rows, double>& state)
+bool startInside(Iterate<double> interior, const Eigen::VectorXd& displacement, State<Rows, double>& state)
 {
     const ConeRanges& cones = state.cones;
     Iterate<double>& at = state.at;
     at = std::move(interior);
-    at.y += heading;
+    at.y += displacement;
     at.alpha = 0;
     state.mu = 1;
     state.waits = 0;

@@ -36,9 +36,9 @@ void startNear(const Eigen::VectorXd& s, const Eigen::VectorXd& y, double error,
 /// The displacements are moved on with those to come, and openings follow where they grow; what would close
 /// keeps its opening, and the iterations repair the difference. A cone that is new is as open as the
 /// displacements say, and has the force for which its product is that of the others.
-/// \param interior its y from that of the solution; cones without force or opening are new \param heading
-/// about the y to come \return false where it is of another structure, or of another step
+/// \param interior its y from that of the solution; cones without force or opening are new \param
+/// displacement about the y to come \return false where it is of another structure, or of another step
 template<int Rows>
-bool startInside(Iterate<double> interior, const Eigen::VectorXd& heading, State<Rows, double>& state);
+bool startInside(Iterate<double> interior, const Eigen::VectorXd& displacement, State<Rows, double>& state);
 
 } // namespace drystone

@@ -110,8 +110,11 @@ bool State<Rows, Scalar>::isObjectiveReached()
 template<int Rows, class Scalar>
 bool State<Rows, Scalar>::diverges(int iterations) const
 {
-    return runsOff(iterations, largestOf(at.y), largestOf(at.s), missing(), leading(at.alpha),
-                   form.hasInertia());
+    const IterateSizes sizes{.displacement = largestOf(at.y),
+                             .force = largestOf(at.s),
+                             .balance = missing(),
+                             .multiplier = leading(at.alpha)};
+    return runsOff(sizes) || (!form.hasInertia() && runsOffSlowly(sizes, iterations));
 }
 
 /// -B'y = z + r - g misses the cones by no more than r - g does, where r is what is left of the openings.

@@ -57,11 +57,17 @@ double volumeWithin(const Polyhedron& mesh, const std::vector<int>& faces)
     return volume;
 }
 
+enum class FacesTurned
+{
+    outwards,
+    inwards
+};
+
 /// Of more than two faces at an edge those that bound a solid across it belong together. Seen along the edge,
 /// a face that runs along it from low to high vertex has its solid on the side towards smaller angles (faces
 /// are turned outwards, counter-clockwise), one that runs back towards larger ones; where all faces are
-/// turned inside it is the other way round. \param rounding of coordinates [m]
-void joinAround(const Polyhedron& mesh, EdgeIterator first, EdgeIterator last, bool areTurnedInside,
+/// turned inwards it is the other way round. \param rounding of coordinates [m]
+void joinAround(const Polyhedron& mesh, EdgeIterator first, EdgeIterator last, FacesTurned turned,
                 double rounding, DisjointSets& pieces)
 {
     const Vector<3> origin = mesh.vertices[first->low()];
@@ -85,7 +91,8 @@ void joinAround(const Polyhedron& mesh, EdgeIterator first, EdgeIterator last, b
     {
         const Vector<3> side = sideOf(mesh, *edge, along);
         sheets.push_back({edge->face, std::atan2(frame.col(2).dot(side), frame.col(1).dot(side)),
-                          rounding / side.norm(), (edge->from == edge->low()) != areTurnedInside});
+                          rounding / side.norm(),
+                          (edge->from == edge->low()) == (turned == FacesTurned::outwards)});
     }
     constexpr double turn = 2 * std::numbers::pi;
     constexpr double leastAngle = 1e-6; // faces that lie on each other bound different solids
@@ -266,8 +273,9 @@ std::vector<Polyhedron> parted(const Polyhedron& mesh)
                    }
                    else if (last - first <= most)
                    {
-                       joinAround(mesh, first, last, isTurnedInside[first->face], singleDigit * largest,
-                                  joined);
+                       joinAround(mesh, first, last,
+                                  isTurnedInside[first->face] ? FacesTurned::inwards : FacesTurned::outwards,
+                                  singleDigit * largest, joined);
                    }
                });
     std::vector<Polyhedron> pieces;

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Copies of a case, in which studies run it.
-#include "ensembles/CaseRuns.h"
+#include "ensembles/CaseCopy.h"
 
 #include "core/WholeFile.h"
 
@@ -15,7 +15,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-TEST(CaseRuns, CopiesOfWriteProtectedFilesAreTheStudysToWrite)
+TEST(CaseCopy, CopiesOfWriteProtectedFilesAreTheStudysToWrite)
 {
     const fs::path folder =
         fs::path(testing::TempDir()) / ("drystone-caseRuns-" + std::to_string(::getpid()));
