@@ -47,6 +47,13 @@ std::vector<Facing<Dim>> faultyPieces(const Assembly<Dim>& assembly)
     return pieces;
 }
 
+/// One digit, and more than the faces need. \param most of what faces are apart [m]
+double closingTolerance(double most)
+{
+    const double unit = std::pow(10.0, std::floor(std::log10(most)));
+    return std::ceil(1.01 * most / unit) * unit;
+}
+
 template<int Dim>
 std::string faultText(const Assembly<Dim>& assembly, const std::vector<Facing<Dim>>& pieces)
 {
@@ -60,13 +67,11 @@ std::string faultText(const Assembly<Dim>& assembly, const std::vector<Facing<Di
                     asWritten<Dim>(placeOf(worst)), most, isApart(worst) ? "apart" : "in each other",
                     worst.isOblique ? usualObliqueTolerance(assembly) : usualToleranceAlongAxes(assembly),
                     pieces.size() > 1 ? fmt::format(" {} pairs of faces do so.", pieces.size()) : "");
-    // One digit more than the faces need.
-    const double unit = std::pow(10.0, std::floor(std::log10(most)));
     if (!assembly.jointTolerance)
     {
         text += fmt::format(", or state there `jointTolerance {:g};` [m]: what is nearer is closed, what is "
                             "farther apart is so on purpose",
-                            std::ceil(1.01 * most / unit) * unit);
+                            closingTolerance(most));
     }
     return text + ". Then run blockTexture again; checkBlocks lists such faces.";
 }
@@ -124,26 +129,62 @@ void refuseAlmostJoints(const Assembly<Dim>& assembly, const std::filesystem::pa
     }
 }
 
+namespace
+{
+
+/// The faces that a stated tolerance keeps apart.
 template<int Dim>
-int facesApartOnPurpose(const Assembly<Dim>& assembly)
+std::vector<Facing<Dim>> piecesApart(const Assembly<Dim>& assembly)
 {
     if (!assembly.jointTolerance)
     {
-        return 0;
+        return {};
     }
-    const std::vector<Facing<Dim>> pieces = findAlmostJoints(assembly);
-    return static_cast<int>(std::count_if(pieces.begin(), pieces.end(),
-                                          [&](const Facing<Dim>& piece)
-                                          { return isStated<Dim>(piece, assembly); }));
+    std::vector<Facing<Dim>> pieces = findAlmostJoints(assembly);
+    std::erase_if(pieces, [&](const Facing<Dim>& piece) { return !isStated<Dim>(piece, assembly); });
+    return pieces;
+}
+
+} // namespace
+
+template<int Dim>
+int facesApartOnPurpose(const Assembly<Dim>& assembly)
+{
+    return static_cast<int>(piecesApart(assembly).size());
+}
+
+template<int Dim>
+std::string apartByDigitsText(const Assembly<Dim>& assembly)
+{
+    const std::vector<Facing<Dim>> pieces = piecesApart(assembly);
+    if (pieces.empty())
+    {
+        return {};
+    }
+    const Facing<Dim>& worst = *std::max_element(pieces.begin(), pieces.end(),
+                                                 [](const Facing<Dim>& a, const Facing<Dim>& b)
+                                                 { return openness(a) < openness(b); });
+    return fmt::format(
+        "{} and {} almost meet: at {} their faces are {:.3g} m apart, where joints of this file "
+        "are closed up to {:.3g} m, as its coordinates are rounded.{} Without these joints the "
+        "answer is that of another structure.\n\nWhere blocks are to touch, state "
+        "`jointTolerance {:g};` [m] in system/blockTextureDict; where they are apart on purpose, "
+        "`jointTolerance {:g};`. Then run blockTexture again; checkBlocks lists such faces.",
+        blockName(assembly, worst.block), blockName(assembly, worst.neighbour),
+        asWritten<Dim>(placeOf(worst)), openness(worst), *assembly.jointTolerance,
+        pieces.size() > 1 ? fmt::format(" {} pairs of faces do so.", pieces.size()) : "",
+        closingTolerance(openness(worst)), *assembly.jointTolerance);
 }
 
 template std::string blockName(const Assembly<2>& assembly, int block);
 template std::string almostJointsText(const Assembly<2>& assembly);
 template void refuseAlmostJoints(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
 template int facesApartOnPurpose(const Assembly<2>& assembly);
+template std::string apartByDigitsText(const Assembly<2>& assembly);
 template std::string blockName(const Assembly<3>& assembly, int block);
 template std::string almostJointsText(const Assembly<3>& assembly);
 template void refuseAlmostJoints(const Assembly<3>& assembly, const std::filesystem::path& caseDirectory);
 template int facesApartOnPurpose(const Assembly<3>& assembly);
+template std::string apartByDigitsText(const Assembly<3>& assembly);
 
 } // namespace drystone

@@ -50,6 +50,11 @@ std::string almostJointsText(const Assembly<Dim>& assembly);
 template<int Dim>
 int facesApartOnPurpose(const Assembly<Dim>& assembly);
 
+/// What to say of these where the tolerance follows from the digits of an imported file: nobody has stated
+/// that they are apart on purpose. Empty when there are none.
+template<int Dim>
+std::string apartByDigitsText(const Assembly<Dim>& assembly);
+
 /// For computations, which would otherwise go on without the joints.
 /// \throws FatalIOError with almostJointsText, at the second block
 template<int Dim>

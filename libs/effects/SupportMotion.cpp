@@ -2,6 +2,7 @@
 /// Supports that move in a prescribed way.
 #include "effects/SupportMotion.h"
 
+#include "assembly/BlockShape.h"
 #include "core/Degrees.h"
 #include "core/Error.h"
 
@@ -201,9 +202,75 @@ void declare(Options& options, SupportMotionFile<Dim>& file)
 namespace
 {
 
-/// Says what has no effect, and which angles are probably in degrees. \param given the motion of one support
+/// Diagonal of the box around all blocks [m].
 template<int Dim>
-void questionMotion(const SupportMotionSettings<Dim>& settings, const Dictionary& given)
+double sizeOf(const Assembly<Dim>& assembly)
+{
+    if (assembly.blocks.empty())
+    {
+        return 0;
+    }
+    Box<Dim> all = boundingBox(assembly.blocks.front());
+    for (const Block<Dim>& block : assembly.blocks)
+    {
+        const Box<Dim> box = boundingBox(block);
+        extend(all, box.lower);
+        extend(all, box.upper);
+    }
+    return (all.upper - all.lower).norm();
+}
+
+/// The places at the times of a table of velocities, from 0.
+Table placesOf(const Table& velocity)
+{
+    Table places;
+    for (std::size_t i = 0; i < velocity.size(); ++i)
+    {
+        const double way = i == 0 ? 0
+                                  : (velocity[i].first - velocity[i - 1].first)
+                                        * (velocity[i].second + velocity[i - 1].second) / 2;
+        places.emplace_back(velocity[i].first, i == 0 ? 0 : places.back().second + way);
+    }
+    return places;
+}
+
+/// The value of a table that is farthest from 0; 0 where it has none.
+double farthestOf(const Table& table)
+{
+    double farthest = 0;
+    for (const auto& [time, value] : table)
+    {
+        farthest = std::abs(value) > std::abs(farthest) ? value : farthest;
+    }
+    return farthest;
+}
+
+/// Questions a support that moves farther than the structure is large: millimetres, probably.
+template<int Dim>
+void questionDistance(const SupportMotionSettings<Dim>& settings, const Dictionary& given,
+                      const Assembly<Dim>& assembly)
+{
+    const bool isByVelocity = !settings.velocity.empty();
+    const double farthest =
+        std::abs(farthestOf(isByVelocity ? placesOf(settings.velocity) : settings.displacement));
+    const double size = sizeOf(assembly);
+    if (size > 0 && farthest > size)
+    {
+        printWarning(fmt::format("The support moves {:.4g} m away, farther than the whole structure of "
+                                 "{:.4g} m is large. {}; were they in millimetres, it would be {:.4g} m. It "
+                                 "is used as it stands.",
+                                 farthest, size,
+                                 isByVelocity ? "Velocities are in m/s" : "Displacements are in metres",
+                                 farthest / 1000),
+                     given.locationOf(isByVelocity ? "velocity" : "displacement"));
+    }
+}
+
+/// Says what has no effect, and which motions are probably in millimetres or degrees. \param given the motion
+/// of one support
+template<int Dim>
+void questionMotion(const SupportMotionSettings<Dim>& settings, const Dictionary& given,
+                    const Assembly<Dim>& assembly)
 {
     const bool translates = !settings.displacement.empty() || !settings.velocity.empty();
     const bool turns = !settings.rotation.empty() || !settings.angularVelocity.empty();
@@ -223,11 +290,8 @@ void questionMotion(const SupportMotionSettings<Dim>& settings, const Dictionary
         warnIfGiven("axis", "rotation or angularVelocity");
         warnIfGiven("centre", "rotation or angularVelocity");
     }
-    double farthest = 0;
-    for (const auto& [time, angle] : settings.rotation)
-    {
-        farthest = std::abs(angle) > std::abs(farthest) ? angle : farthest;
-    }
+    questionDistance(settings, given, assembly);
+    const double farthest = farthestOf(settings.rotation);
     if (std::abs(farthest) > 2 * std::numbers::pi)
     {
         printWarning(doubtAboutDegrees(farthest, "(time ", ")"), given.locationOf("rotation"));
@@ -258,7 +322,7 @@ std::vector<SupportMotion<Dim>> readSupportMotions(const Dictionary& dictionary,
                                dictionary.locationOf(name));
         }
         SupportMotion<Dim> motion;
-        questionMotion(settings, dictionary.subDict(name));
+        questionMotion(settings, dictionary.subDict(name), assembly);
         motion.support = static_cast<int>(found - supports.begin());
         motion.direction = settings.direction.norm() > 0 ? Vector<Dim>(settings.direction.stableNormalized())
                                                          : Vector<Dim>(Vector<Dim>::Zero());

@@ -124,7 +124,11 @@ double numberOf(const ImportedFile& file, int line, std::string_view word)
                         && std::abs(std::strtod(std::string(plain).c_str(), nullptr)) < 1; // it tells which
     if (plain.empty() || end != plain.data() + plain.size() || (code != std::errc() && !isTiny))
     {
-        refuse(file, line, fmt::format("'{}' is no number, or one that is too large.", shown(word)));
+        refuse(file, line,
+               fmt::format("'{}' is no number, or one that is too large.{}", shown(word),
+                           word.find(',') == std::string_view::npos
+                               ? ""
+                               : " Export the file with decimal points, not commas."));
     }
     if (!std::isfinite(value))
     {

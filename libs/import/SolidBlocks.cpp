@@ -47,6 +47,7 @@ struct Tally
     int turned = 0;
     int merged = 0;
     int dropped = 0;      ///< faces that are a line or a point
+    int repeated = 0;     ///< faces that stand there already
     int joinedMeshes = 0; ///< objects that were parted, being no solids as they are
 };
 
@@ -119,12 +120,15 @@ std::vector<Piece> piecesOf(Solids& solids, const SolidSettings& settings, const
         tally.faces += solid.faces.size();
         Polyhedron shape = placed(solid, settings, file);
         solid.vertices = {};
-        std::vector<Polyhedron> parts = parted(welded(shape, settings.tolerance.value_or(0)));
+        Polyhedron mesh = welded(shape, settings.tolerance.value_or(0));
+        const int repeated = dropRepeatedFaces(mesh);
+        std::vector<Polyhedron> parts = parted(mesh);
         if (solids.division == Division::asWritten && !isJoinedMesh(shape, parts))
         {
             pieces.push_back({std::move(shape), solid.name, solid.zones, solid.line, number});
             continue;
         }
+        tally.repeated += repeated;
         tally.joinedMeshes += solids.division == Division::asWritten ? 1 : 0;
         for (Polyhedron& part : parts)
         {
@@ -152,6 +156,7 @@ void makeSolid(Piece& piece, double tolerance, Tally& tally)
     const std::size_t before = piece.shape.faces.size();
     piece.shape = welded(piece.shape, tolerance);
     tally.dropped += static_cast<int>(before - piece.shape.faces.size());
+    tally.repeated += dropRepeatedFaces(piece.shape);
     if (!piece.shape.faces.empty())
     {
         tally.turned += turnOutwards(piece.shape);
@@ -380,6 +385,10 @@ void printTally(const Tally& tally, const PlaneFaces& planes, double tolerance, 
         info("Import: {} faces in the file; {} fewer by merging those that are coplanar, {} turned outwards, "
              "{} without area left out",
              tally.faces, tally.merged, tally.turned, tally.dropped);
+    }
+    if (tally.repeated > 0)
+    {
+        info("Import: faces that stand in the file twice: {}; each is left out once", tally.repeated);
     }
     if (tally.joinedMeshes > 0)
     {

@@ -321,9 +321,11 @@ StateWriter::StateWriter(fs::path directory, WriteFormat writeFormat, int states
 void StateWriter::write(const std::string& timeName, const State& state)
 {
     std::error_code failure;
-    const bool isNew = !fs::exists(caseDirectory / timeName, failure);
+    const fs::path directory = caseDirectory / timeName;
+    const bool isOwn = !fs::exists(directory, failure) || holdsStateAlone(directory);
     writeState(caseDirectory, timeName, state, format);
-    if (isNew)
+    const bool isCounted = !written.empty() && written.back() == timeName;
+    if (isOwn && !isCounted)
     {
         written.push_back(timeName);
     }

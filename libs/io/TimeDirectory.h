@@ -65,8 +65,9 @@ public:
     StateWriter& operator=(const StateWriter&) = delete;
     ~StateWriter();
 
-    /// Writes the state, then removes the oldest directory that this object wrote if there are too many. A
-    /// directory that existed before is never removed. A directory that is removed becomes the hidden
+    /// Writes the state, then removes the oldest directory that this object wrote if there are too many, also
+    /// one of an earlier run that it wrote over, as OpenFOAM does, but none in which there was more than a
+    /// state. A directory that is removed becomes the hidden
     /// `.purgedState`, which the next state is written into before it takes its name: to make and remove
     /// directories takes longer than to write a state. The destructor removes it; of a run that was killed
     /// the next run uses it.

@@ -337,7 +337,7 @@ TEST(Deletion, ABlockOutsideFromTheStartIsNotComputed)
     EXPECT_EQ(motion.state.velocity.norm(), 0);
 }
 
-TEST(SupportMotion, WhatHasNoEffectAndDegreesAreQuestioned)
+TEST(SupportMotion, WhatHasNoEffectDegreesAndMillimetresAreQuestioned)
 {
     const Assembly<2> assembly = ground(-1, 1);
     const auto warnings = [&](const std::string& motion)
@@ -357,6 +357,16 @@ TEST(SupportMotion, WhatHasNoEffectAndDegreesAreQuestioned)
                 HasSubstr("direction has no effect without displacement or velocity"));
     EXPECT_THAT(warnings("direction (1 0); velocity ((0 0) (1 1)); centre (1 0);"),
                 HasSubstr("centre has no effect without rotation or angularVelocity"));
+    // The ground is 2 m wide and 1 m deep.
+    EXPECT_EQ(warnings("direction (0 -1); displacement ((0 0) (1 2.2));"), "");
+    EXPECT_THAT(warnings("direction (0 -1); displacement ((0 0) (1 20) (2 0));"),
+                AllOf(HasSubstr("The support moves 20 m away, farther than the whole structure of 2.236 m"),
+                      HasSubstr("in millimetres, it would be 0.02 m"),
+                      HasSubstr("constant/supportMotion/ground/displacement")));
+    EXPECT_THAT(warnings("direction (1 0); velocity ((0 0) (0.5 -50) (0.5 50) (1 0));"),
+                AllOf(HasSubstr("The support moves 12.5 m away"), HasSubstr("Velocities are in m/s"),
+                      HasSubstr("constant/supportMotion/ground/velocity")));
+    EXPECT_EQ(warnings("direction (1 0); velocity ((0 0) (0.01 50) (0.02 -50) (0.03 0));"), "");
 }
 
 TEST(Deletion, TheLogSaysWhichBlocksLeave)

@@ -218,6 +218,27 @@ TEST(SolidBlocks, FacesInAnyOrderAreTurnedOutwards)
     }
 }
 
+TEST(SolidBlocks, FacesThatStandTwiceAreLeftOutOnce)
+{
+    const std::vector<Polyhedron> shapes = {makeBox({0, 0, 0}, {1, 1, 1}), makeBox({1, 0, 0}, {2, 1, 1})};
+    Polyhedron repeated = test::triangulated(shapes[0]);
+    std::vector<int> second = repeated.faces[1];
+    std::rotate(second.begin(), second.begin() + 1, second.end());
+    repeated.faces.push_back(second);
+    testing::internal::CaptureStdout();
+    const std::vector<Polyhedron> read = shapesOf(solidBlocks(solidsOf({repeated, shapes[1]}), {}, file));
+    EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("faces that stand in the file twice: 1;"));
+    ASSERT_EQ(read.size(), 2u);
+    EXPECT_EQ(read[0].vertices, shapes[0].vertices);
+    EXPECT_EQ(read[0].faces.size(), 6u);
+    EXPECT_EQ(read[1], shapes[1]);
+
+    // All of a block, as where a file was put together from two that both have it.
+    const Assembly<3> fromSoup = solidBlocks(soupOf({shapes[0], shapes[1], shapes[1]}, 1), {}, file);
+    EXPECT_THAT(sortedVolumes(shapesOf(fromSoup)),
+                testing::ElementsAre(testing::DoubleNear(1, 1e-12), testing::DoubleNear(1, 1e-12)));
+}
+
 TEST(SolidBlocks, AFaceWithAHoleStaysInParts)
 {
     // A box with a shaft through it: its top is a ring of 8 triangles, which has no single outline.

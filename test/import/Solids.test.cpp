@@ -59,6 +59,7 @@ TEST(Obj, FaultsAreNamedWithTheirLine)
 {
     const auto report = [](const std::string& text) { return reportOf([&] { readObj(fileOf(text)); }); };
     EXPECT_THAT(report("v 0 0 0\nv 1 o 0\n"), AllOf(HasSubstr("'o' is no number"), HasSubstr("line 2")));
+    EXPECT_THAT(report("v 0 0,5 0\n"), AllOf(HasSubstr("'0,5' is no number"), HasSubstr("decimal points")));
     EXPECT_THAT(report("v 0 0\n"), AllOf(HasSubstr("this one has 2"), HasSubstr("line 1")));
     EXPECT_THAT(report("v 0 0 0\nf 1 2 3\n"),
                 AllOf(HasSubstr("vertex 2, but 1 vertices"), HasSubstr("line 2")));

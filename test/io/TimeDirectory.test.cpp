@@ -322,12 +322,22 @@ TEST(TimeDirectory, WritingIntoADirectoryThatExistsKeepsItsOtherFiles)
     EXPECT_EQ(stateScalar(readState(folder / "0/state"), "time"), 1);
 }
 
+std::vector<std::string> namesOfTimes(const std::filesystem::path& folder)
+{
+    std::vector<std::string> names;
+    for (const TimeDirectory& directory : timeDirectories(folder))
+    {
+        names.push_back(directory.name);
+    }
+    return names;
+}
+
 TEST(TimeDirectory, PurgeKeepsTheLastOnesOfThisRunAndAllOfOthers)
 {
     const ScratchFolder folder;
     State state;
     writeState(folder.path(), "0", state, WriteFormat::ascii);
-    writeState(folder.path(), "0.5", state, WriteFormat::ascii);
+    writeState(folder.path(), "0.25", state, WriteFormat::ascii);
     {
         StateWriter writer(folder.path(), WriteFormat::binary, 2);
         for (const char* name : {"0.5", "1", "1.5", "2", "2.5"})
@@ -335,16 +345,40 @@ TEST(TimeDirectory, PurgeKeepsTheLastOnesOfThisRunAndAllOfOthers)
             writer.write(name, state);
         }
     }
-    std::vector<std::string> names;
-    for (const TimeDirectory& directory : timeDirectories(folder.path()))
-    {
-        names.push_back(directory.name);
-    }
-    EXPECT_THAT(names, ElementsAre("0", "0.5", "2", "2.5"));
+    EXPECT_THAT(namesOfTimes(folder.path()), ElementsAre("0", "0.25", "2", "2.5"));
     for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
     {
         EXPECT_NE(entry.path().filename().string().front(), '.');
     }
+}
+
+// As OpenFOAM has it: what a run writes counts, also where an earlier run has written before.
+TEST(TimeDirectory, ARepeatedRunKeepsAsManyStatesAsTheFirst)
+{
+    const ScratchFolder folder;
+    for (int run = 0; run < 3; ++run)
+    {
+        StateWriter writer(folder.path(), WriteFormat::ascii, 1);
+        for (const char* name : {"1", "2", "3", "3"}) // a signal writes what was due anyway
+        {
+            writer.write(name, {});
+        }
+        EXPECT_THAT(namesOfTimes(folder.path()), ElementsAre("3")) << "run " << run;
+    }
+}
+
+TEST(TimeDirectory, WhatAUserHasPutIntoATimeBeforeARunIsNotPurged)
+{
+    const ScratchFolder folder;
+    writeState(folder.path(), "1", {}, WriteFormat::ascii);
+    std::ofstream(folder / "1/notes") << "mine";
+    StateWriter writer(folder.path(), WriteFormat::ascii, 1);
+    for (const char* name : {"1", "2", "3"})
+    {
+        writer.write(name, {});
+    }
+    EXPECT_THAT(namesOfTimes(folder.path()), ElementsAre("1", "3"));
+    EXPECT_EQ(content(folder / "1/notes"), "mine");
 }
 
 TEST(TimeDirectory, AStateWrittenOverALongerOneIsWhole)

@@ -63,7 +63,17 @@ void refuseShapes(const Assembly<Dim>& assembly, const Dictionary& dictionary)
     }
 }
 
-/// What the blocks will be refused for.
+/// Whether the user says within what distance faces are a joint, of all blocks or of those of an imported
+/// file.
+bool isToleranceStated(const Dictionary& dictionary)
+{
+    const auto hasOwn = [](const Dictionary& texture) { return texture.find("tolerance") != nullptr; };
+    const Dictionary& texture = dictionary.subDict("texture");
+    return dictionary.find("jointTolerance") || hasOwn(texture)
+           || (texture.find("of") && hasOwn(texture.subDict("of"))); // of an extrusion
+}
+
+/// What the blocks will be refused for, and joints that they lack though nobody has said so.
 template<int Dim>
 void warnOfFaults(const Assembly<Dim>& assembly, const Dictionary& dictionary)
 {
@@ -74,6 +84,11 @@ void warnOfFaults(const Assembly<Dim>& assembly, const Dictionary& dictionary)
     else if (const std::string fault = almostJointsText(assembly); !fault.empty())
     {
         printWarning(fault, dictionary.locationOf("texture"));
+    }
+    else if (const std::string apart = isToleranceStated(dictionary) ? "" : apartByDigitsText(assembly);
+             !apart.empty())
+    {
+        printWarning(apart, dictionary.locationOf("texture"));
     }
     if constexpr (Dim == 3)
     {

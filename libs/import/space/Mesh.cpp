@@ -12,6 +12,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <set>
 
 namespace drystone
 {
@@ -251,6 +252,21 @@ Polyhedron welded(const Polyhedron& mesh, double tolerance)
         }
     }
     return result;
+}
+
+int dropRepeatedFaces(Polyhedron& mesh)
+{
+    std::set<std::vector<int>> known;
+    const std::size_t removed =
+        std::erase_if(mesh.faces,
+                      [&known](const std::vector<int>& face)
+                      {
+                          std::vector<int> fromLeast = face;
+                          std::rotate(fromLeast.begin(), std::min_element(fromLeast.begin(), fromLeast.end()),
+                                      fromLeast.end());
+                          return !known.insert(std::move(fromLeast)).second;
+                      });
+    return static_cast<int>(removed);
 }
 
 std::vector<Polyhedron> parted(const Polyhedron& mesh)

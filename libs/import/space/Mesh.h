@@ -14,6 +14,10 @@ namespace drystone
 /// mean where they differ, and faces that shrink to a line or point vanish.
 Polyhedron welded(const Polyhedron& mesh, double tolerance);
 
+/// Removes faces that have the corners of one before in the same order, as files have that were put together
+/// from several: no edge would be one of two faces. \return how many
+int dropRepeatedFaces(Polyhedron& mesh);
+
 /// The pieces of a mesh whose vertices are welded: faces that share an edge belong together. Where several
 /// solids meet along an edge, a face goes on with the one across the solid, so that solids that touch are
 /// parted. \post vertices and faces of each piece are in their old order
