@@ -423,12 +423,45 @@ std::vector<SampleValue> Sampler::at(long sample) const
     {
         correlate(probabilities);
     }
+    return valuesAt(probabilities);
+}
+
+std::vector<SampleValue> Sampler::valuesAt(const std::vector<double>& probabilities) const
+{
     std::vector<SampleValue> values;
     for (std::size_t k = 0; k < variables.size(); ++k)
     {
         const Distribution& distribution = *variables[k].second.distribution;
         values.push_back(distribution.isSeed ? valueOf(1 + std::floor(probabilities[k] * 2147483647))
                                              : valueAt(distribution, probabilities[k]));
+    }
+    return values;
+}
+
+/// The first variable in equal parts, the others by multiples of an irrational number each: powers of the
+/// root of x^(d+1) = x + 1 (Roberts, The unreasonable effectiveness of quasirandom sequences, 2018).
+std::vector<std::vector<SampleValue>> Sampler::spread(int number) const
+{
+    std::vector<std::vector<SampleValue>> values;
+    double root = 1;
+    for (int pass = 0; pass < 50; ++pass)
+    {
+        root = std::pow(1 + root, 1.0 / static_cast<double>(variables.size()));
+    }
+    for (int index = 0; index < number; ++index)
+    {
+        const double part = (index + 0.5) / number;
+        if (design.type == DesignType::table)
+        {
+            values.push_back(rows[static_cast<std::size_t>(part * static_cast<double>(rows.size()))]);
+            continue;
+        }
+        std::vector<double> probabilities{part};
+        for (double step = 1 / root; probabilities.size() < variables.size(); step /= root)
+        {
+            probabilities.push_back(std::fmod(0.5 + index * step, 1.0));
+        }
+        values.push_back(valuesAt(probabilities));
     }
     return values;
 }

@@ -28,6 +28,9 @@ public:
     long size() const { return count; } ///< samples
     /// The value of each variable. \param sample 0 to size() - 1
     std::vector<SampleValue> at(long sample) const;
+    /// Values spread evenly over the variables' ranges, each by itself, that depend on neither the design nor
+    /// the number of samples; of a table some of its rows.
+    std::vector<std::vector<SampleValue>> spread(int count) const;
 
 private:
     /// The two independent sets of points of a sensitivity analysis (Saltelli et al. 2010); others have A.
@@ -48,6 +51,7 @@ private:
     bool isUncorrelated(std::size_t variable) const;
     std::vector<double> point(long index, Matrix matrix = Matrix::a) const;
     std::vector<SampleValue> gridPoint(long sample) const;
+    std::vector<SampleValue> valuesAt(const std::vector<double>& probabilities) const;
     void correlate(std::vector<double>& probabilities) const;
 
     std::vector<Named<EnsembleVariable>> variables;

@@ -36,6 +36,9 @@ namespace fs = std::filesystem;
 namespace
 {
 
+/// As many as take the time of some ten samples each process; twice as many save a tenth of the iterations.
+constexpr int references = 16;
+
 constexpr const char* textureFile = "system/blockTextureDict";
 
 /// The blocks of the last sample, and the fingerprint of the dictionary that they are made of.
@@ -70,6 +73,7 @@ struct SamplesInProcess::Cases
 
     std::vector<double> run(const std::vector<SampleValue>& values)
     {
+        beginFromReferences();
         std::fill(results.begin(), results.end(), std::nan(""));
         setEntries(values);
         if (runs("blockTexture"))
@@ -258,12 +262,25 @@ struct SamplesInProcess::Cases
         return structures;
     }
 
+    /// Samples that are solved in lanes begin near the solutions of references that depend on the study
+    /// alone, so that no sample depends on another one, nor on which process computes it. Once.
+    void beginFromReferences()
+    {
+        if (ensemble.areAlike && !hasReferences)
+        {
+            hasReferences = true;
+            std::vector<std::size_t> read;
+            beginLanesFrom(readAll(ensemble.sampler->spread(references), read), lanes);
+        }
+    }
+
     /// The limit analyses of several samples. \return nothing for those with a fault; all of nothing where
     /// lanes take none of them
     std::vector<std::optional<SampleOutcome>>
     runTogether(const std::vector<std::vector<SampleValue>>& samples,
                 const std::function<void(std::size_t)>& begins)
     {
+        beginFromReferences();
         std::vector<std::optional<SampleOutcome>> outcomes(samples.size());
         std::vector<std::size_t> read;
         std::vector<LimitAnalysisCase<2>> structures = readAll(samples, read);
@@ -442,6 +459,7 @@ struct SamplesInProcess::Cases
     std::tuple<KeptStructure<2>, KeptStructure<3>> kept;
     SymbolicAnalysis symbolic; ///< of the last limit analysis: most samples have the same blocks touch
     LaneSolver lanes;          ///< likewise
+    bool hasReferences = false;
     std::vector<double> results;
 };
 

@@ -74,6 +74,20 @@ bool isForLanes(const LimitAnalysisCase<2>& structure)
            && areHonoured(structure.solution) && LaneSolver::takes(structure.program);
 }
 
+void beginLanesFrom(const std::vector<LimitAnalysisCase<2>>& structures, LaneSolver& lanes)
+{
+    std::vector<PlaneConeProgram> references;
+    for (const LimitAnalysisCase<2>& structure : structures)
+    {
+        if (isForLanes(structure)
+            && (references.empty() || LaneSolver::areAlike(references.front(), structure.program)))
+        {
+            references.push_back(structure.program);
+        }
+    }
+    lanes.beginFrom(std::move(references));
+}
+
 template<int Dim>
 std::vector<std::optional<LimitAnalysis>> solveInLanes(const std::vector<LimitAnalysisCase<Dim>>& structures,
                                                        LaneSolver& lanes, SymbolicAnalysis& kept)

@@ -18,6 +18,10 @@ struct SymbolicAnalysis;
 /// more iterations allowed.
 bool isForLanes(const LimitAnalysisCase<2>& structure);
 
+/// Has lanes begin near the solutions of those of the structures that are for lanes and have the points of
+/// the first one of them (LaneSolver::beginFrom).
+void beginLanesFrom(const std::vector<LimitAnalysisCase<2>>& structures, LaneSolver& lanes);
+
 /// The answers of solveLimitAnalyses by LaneSolver, to the same tolerance, structures with the same points
 /// together. Of those that are for lanes; of others, and where LaneSolver has none, nothing. What comes of a
 /// structure does not depend on the others by a single bit. Multiplier and status are those of the structure;

@@ -173,6 +173,85 @@ TEST(LaneSolver, AnAnswerDoesNotDependOnItsNeighboursByASingleBit)
     }
 }
 
+TEST(LaneSolver, ProgramsThatBeginFromOthersHaveTheSameAnswersInFewerIterations)
+{
+    std::mt19937 random(7);
+    for (const PlaneConeProgram& program :
+         {planeLimitAnalysis(evenTower(7, 2, 0.6, 3)), randomProgram(12, random)})
+    {
+        const std::vector<PlaneConeProgram> programs = varied(program, 40, random);
+        LaneSolver fromScratch;
+        LaneSolver begun;
+        begun.beginFrom(varied(program, 11, random));
+        int longer = 0;
+        int shorter = 0;
+        for (const PlaneConeProgram& each : programs)
+        {
+            const ConeSolution one = solved(fromScratch, {each}).front();
+            const ConeSolution other = solved(begun, {each}).front();
+            EXPECT_EQ(one.status, other.status);
+            if (one.status == SolveStatus::optimal)
+            {
+                EXPECT_NEAR(other.multiplier, one.multiplier, 2e-9 * std::max(1.0, std::abs(one.multiplier)));
+                EXPECT_LE(certifyOptimal(each, other).worst(), tolerance);
+                EXPECT_EQ(other.forceOfLoadAlone.size(), one.forceOfLoadAlone.size());
+                longer += one.iterations;
+                shorter += other.iterations;
+            }
+        }
+        EXPECT_LT(shorter, 0.9 * longer);
+    }
+}
+
+TEST(LaneSolver, AnAnswerThatBeginsFromOthersDoesNotDependOnItsNeighboursByASingleBit)
+{
+    std::mt19937 random(8);
+    const PlaneConeProgram program = planeLimitAnalysis(evenTower(7, 2, 0.6, 3));
+    const std::vector<PlaneConeProgram> programs = varied(program, 2 * LaneSolver::lanes(), random);
+    const std::vector<PlaneConeProgram> references = varied(program, 5, random);
+    const PlaneConeProgram other = planeLimitAnalysis(evenTower(4));
+    LaneSolver together;
+    together.beginFrom(references);
+    for (const bool isFirst : {true, false})
+    {
+        // The second time after programs of other points, and in other lanes.
+        std::vector<PlaneConeProgram> batch(programs.begin(), programs.begin() + LaneSolver::lanes());
+        if (!isFirst)
+        {
+            solved(together, {other});
+            std::reverse(batch.begin(), batch.end());
+        }
+        const std::vector<ConeSolution> solutions = solved(together, batch);
+        for (std::size_t lane = 0; lane < batch.size(); ++lane)
+        {
+            LaneSolver alone;
+            alone.beginFrom(references);
+            EXPECT_TRUE(areEqual(solutions[lane], solved(alone, {batch[lane]}).front())) << lane;
+        }
+    }
+}
+
+TEST(LaneSolver, ReferencesWithoutASolutionAreLeftOut)
+{
+    const PlaneConeProgram good = planeLimitAnalysis(evenTower(4));
+    PlaneConeProgram falls = good;
+    falls.load[3 * 3] = 50;
+    PlaneConeProgram broken = good;
+    broken.load[1] = std::numeric_limits<double>::quiet_NaN();
+    LaneSolver fromScratch;
+    const ConeSolution expected = solved(fromScratch, {good}).front();
+    for (const std::vector<PlaneConeProgram>& references :
+         {std::vector<PlaneConeProgram>{falls}, {broken}, {broken, falls, good}})
+    {
+        LaneSolver solver;
+        solver.beginFrom(references);
+        const ConeSolution solution = solved(solver, {good}).front();
+        EXPECT_EQ(solution.status, SolveStatus::optimal);
+        EXPECT_NEAR(solution.multiplier, expected.multiplier, 1e-9 * expected.multiplier);
+        EXPECT_EQ(solved(solver, {falls}).front().status, SolveStatus::notConverged);
+    }
+}
+
 TEST(LaneSolver, WhatHasNoSolutionIsNotAnsweredAndDisturbsNoOther)
 {
     const PlaneConeProgram good = planeLimitAnalysis(evenTower(4));

@@ -63,6 +63,31 @@ TEST(LaneAnalyses, TheSixWallsHaveTheAnswersThatTheyHaveOneByOne)
     EXPECT_LE(left, 1U) << "for the ordinary solver";
 }
 
+TEST(LaneAnalyses, WallsThatBeginFromOthersHaveTheAnswersThatTheyHaveOneByOne)
+{
+    std::mt19937 random(3);
+    const std::vector<Wall> walls = paperWalls();
+    for (const Wall& wall : {walls[0], walls[5]})
+    {
+        LaneSolver lanes;
+        beginLanesFrom(withFrictions(standing(wall.bond), 8, random), lanes);
+        std::vector<LimitAnalysisCase<2>> cases =
+            withFrictions(standing(wall.bond), 2 * LaneSolver::lanes() + 1, random);
+        cases.back().program.load *= 1.3; // other densities, and another direction of the live load
+        cases.back().program.liveLoad += 0.1 * cases.back().program.load;
+        SymbolicAnalysis kept;
+        const std::vector<std::optional<LimitAnalysis>> answers = solveInLanes(cases, lanes, kept);
+        for (std::size_t i = 0; i < cases.size(); ++i)
+        {
+            ASSERT_TRUE(answers[i]);
+            const LimitAnalysis alone = solveLimitAnalyses(cases[i]).front();
+            EXPECT_EQ(answers[i]->status, alone.status);
+            EXPECT_NEAR(answers[i]->alpha, alone.alpha, 1e-9 * alone.alpha);
+            EXPECT_LE(answers[i]->certificate.worst(), 1e-9);
+        }
+    }
+}
+
 TEST(LaneAnalyses, AnAnswerDoesNotDependOnWhatIsSolvedWithIt)
 {
     std::mt19937 random(2);

@@ -202,7 +202,7 @@ void LaneGeometry::setPrograms(const std::vector<const PlaneConeProgram*>& ofLan
     setFriction(ofLane);
     for (int lane = 0; lane < lanes; ++lane)
     {
-        Scale& scale = scales[lane];
+        LaneScale& scale = scales[lane];
         scale.load = setRows(ofLane[lane]->load, lane, task.numbers.load);
         scale.liveLoad = setRows(ofLane[lane]->liveLoad, lane, task.numbers.liveLoad);
         double sum = 0;
@@ -214,6 +214,41 @@ void LaneGeometry::setPrograms(const std::vector<const PlaneConeProgram*>& ofLan
         scale.displacement = 1 / (scale.liveLoad * powerOfTwo(sum));
         task.ends[lane] = {};
     }
+}
+
+LaneIterate LaneGeometry::iterateOf(int lane) const
+{
+    const LaneNumbers& numbers = task.numbers;
+    const std::size_t rays = 2 * points.size();
+    return {columnOf(numbers.s, rays, lane), columnOf(numbers.z, rays, lane),
+            columnOf(numbers.y, 3 * static_cast<std::size_t>(bodies), lane), numbers.alpha[lane]};
+}
+
+std::vector<double> LaneGeometry::restingOf(int lane) const
+{
+    return task.ends[lane].isResting ? columnOf(task.numbers.resting, 2 * points.size(), lane)
+                                     : std::vector<double>();
+}
+
+std::vector<double> LaneGeometry::frictionOfFaces(const PlaneConeProgram& program) const
+{
+    std::vector<double> friction;
+    friction.reserve(faces.size());
+    for (const LaneFace& face : faces)
+    {
+        friction.push_back(program.friction[face.begin]);
+    }
+    return friction;
+}
+
+std::vector<double> LaneGeometry::columnOf(const double* numbers, std::size_t count, int lane) const
+{
+    std::vector<double> column(count);
+    for (std::size_t index = 0; index < count; ++index)
+    {
+        column[index] = numbers[lanes * index + lane];
+    }
+    return column;
 }
 
 ConeSolution LaneGeometry::solutionOf(const PlaneConeProgram& program, int lane) const

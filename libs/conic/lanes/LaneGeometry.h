@@ -12,6 +12,21 @@
 namespace drystone
 {
 
+/// Of rays, faces and rows as in LaneTask.h, in units of its own.
+struct LaneIterate
+{
+    std::vector<double> s, z, y;
+    double alpha = 0;
+};
+
+/// Of the numbers of one program, powers of two: see Form::Scaling.
+struct LaneScale
+{
+    double load = 1;
+    double liveLoad = 1;
+    double displacement = 1;
+};
+
 /// The task of a kernel for all programs with these points: faces, pattern of the factor, memory. Sets what
 /// differs from lane to lane and reads what has come of it, in the units of the program.
 class LaneGeometry
@@ -30,21 +45,20 @@ public:
     /// \param program in the lane \return what its kernel has ended with; no status
     ConeSolution solutionOf(const PlaneConeProgram& program, int lane) const;
 
+    /// What the kernel has ended with in a lane, in units of `scaleOf` it.
+    LaneIterate iterateOf(int lane) const;
+    std::vector<double> restingOf(int lane) const; ///< likewise; empty where there is none
+    const LaneScale& scaleOf(int lane) const { return scales[lane]; }
+    std::vector<double> frictionOfFaces(const PlaneConeProgram& program) const;
+
     LaneTask task{};
 
 private:
-    /// Of the numbers of one program, powers of two: see Form::Scaling.
-    struct Scale
-    {
-        double load = 1;
-        double liveLoad = 1;
-        double displacement = 1;
-    };
-
     void addPoint(const ConeColumns<3, 2>& columns);
     void listProducts();
     void allot();
     void setFriction(const std::vector<const PlaneConeProgram*>& ofLane);
+    std::vector<double> columnOf(const double* numbers, std::size_t count, int lane) const;
     double setRows(const Eigen::VectorXd& rowsOfProgram, int lane, double* rows) const;
     Eigen::VectorXd forcesOf(const PlaneConeProgram& program, const double* s, int lane) const;
     Eigen::VectorXd displacementOf(int lane) const;
@@ -60,7 +74,7 @@ private:
     std::vector<LaneFace> faces;
     std::vector<LanePoint> points;
     std::vector<double> memory;
-    std::vector<Scale> scales; ///< of each lane
+    std::vector<LaneScale> scales; ///< of each lane
 };
 
 /// Whether two programs have the same contact points.

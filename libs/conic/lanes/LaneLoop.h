@@ -76,7 +76,7 @@ struct LaneLoop : LaneStart<lanes>
 
     void run()
     {
-        Base::start();
+        task.isBegun ? Base::begin() : Base::start();
         for (iteration = 0; iteration < mostIterations; ++iteration)
         {
             Base::moveAndMeasure();
@@ -88,13 +88,17 @@ struct LaneLoop : LaneStart<lanes>
             }
             rounding = mu < cancellingComplementarity ? larger(rounding, all(leastRounding)) : rounding;
             Base::factoriseRaised();
-            if (iteration <= 1)
+            if (iteration <= 1 && !task.isBegun)
             {
                 Base::seekRest(iteration == 0 ? 3 : 10);
             }
             step();
         }
-        repair();
+        takeKept();
+        if (task.complementarity == 0)
+        {
+            repair();
+        }
         at(numbers.alpha, 0) = alpha;
     }
 
@@ -108,10 +112,11 @@ private:
         const Number ofLoad = Base::product(to.load, to.y);
         objectiveSize = larger(liveWork * larger(all(1e-3), size), sizeOf(ofLoad));
         work = liveWork - Base::product(to.liveLoad, to.y);
-        const Mask isEnd = (missing <= looseBalance * larger(all(1), size))
-                           & (Base::misfit <= tolerance * Base::largest(to.y))
-                           & (sizeOf(work) <= tolerance * larger(all(1), liveWork))
-                           & (Base::complementarity <= tolerance * objectiveSize);
+        const Mask isEnd = isOnPath()
+                           | ((missing <= looseBalance * larger(all(1), size))
+                              & (Base::misfit <= tolerance * Base::largest(to.y))
+                              & (sizeOf(work) <= tolerance * larger(all(1), liveWork))
+                              & (Base::complementarity <= tolerance * objectiveSize));
         const Mask fresh = isEnd & active;
         for (int lane = 0; lane < lanes; ++lane)
         {
@@ -126,6 +131,16 @@ private:
             keep(fresh);
         }
         active &= ~isEnd & (mu > 0) & (mu < 1e300) & (size < lost);
+    }
+
+    /// Whether an iterate that is sought has been reached twice: what has come there is one step from the
+    /// path, and correctors that ask for more than they get end at some times what they aim at.
+    Mask isOnPath()
+    {
+        const Mask isThere = mu <= 4 * task.complementarity;
+        const Mask isTwice = isThere & wasThere;
+        wasThere = isThere;
+        return isTwice;
     }
 
     void keep(Mask which)
@@ -161,9 +176,10 @@ private:
         const Number left = Base::predict() / Base::complementarity;
         const Number enough = 0.02 * task.tolerance * objectiveSize / Base::complementarity;
         const Number sigma = larger(partOfCube * left * left * left, smaller(all(1), enough));
-        Base::pullToPath(sigma * mu);
+        const Number least = all(task.complementarity);
+        Base::pullToPath(larger(sigma * mu, least));
         correct(smaller(all(1), primal) * smaller(all(1), dual), every(), change);
-        correctTowards(larger(aimOfCorrectors * sigma, all(leastAim)) * mu, change);
+        correctTowards(larger(larger(aimOfCorrectors * sigma, all(leastAim)) * mu, least), change);
         refine(change);
         const Number part = larger(all(partOfWay), 1 - mu);
         Base::stepS = smaller(all(1), part * primal);
@@ -246,6 +262,21 @@ private:
         }
     }
 
+    void takeKept()
+    {
+        const LaneNumbers to = numbers;
+        for (long ray = 0; ray < rays; ++ray)
+        {
+            at(to.s, ray) = at(to.endS, ray);
+            at(to.z, ray) = at(to.endZ, ray);
+        }
+        for (long row = 0; row < rows + 3; ++row)
+        {
+            at(to.y, row) = at(to.endY, row);
+        }
+        alpha = at(to.endAlpha, 0);
+    }
+
     /// The balance of the answers by the least change in the metric of min(D, constant), as
     /// NewtonSystem::repairBalance has it, in all lanes at once.
     void repair()
@@ -258,15 +289,9 @@ private:
         }
         for (long ray = 0; ray < rays; ++ray)
         {
-            const Number s = at(to.endS, ray);
-            at(to.s, ray) = s;
-            at(to.inverseZ, ray) = smaller(s / at(to.endZ, ray), all(evenFlexibility)) / s;
+            const Number s = at(to.s, ray);
+            at(to.inverseZ, ray) = smaller(s / at(to.z, ray), all(evenFlexibility)) / s;
         }
-        for (long row = 0; row < rows + 3; ++row)
-        {
-            at(to.y, row) = at(to.endY, row);
-        }
-        alpha = at(to.endAlpha, 0);
         active = needed;
         bool isFactorised = false;
         for (int pass = 0; pass < passesOfRepair; ++pass)
@@ -311,6 +336,7 @@ private:
     const double tolerance;
     int iteration = 0;
     Number mu = {};
+    Mask wasThere = {};
     Number work = {}; ///< w - L'y
     Number objectiveSize = {};
 };

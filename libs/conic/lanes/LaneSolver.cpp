@@ -4,7 +4,7 @@
 
 #include "conic/Certificate.h"
 #include "conic/form/PointCones.h"
-#include "conic/lanes/LaneGeometry.h"
+#include "conic/lanes/LaneBeginnings.h"
 #include "linear/DenseKernel.h"
 
 #include <stdexcept>
@@ -86,22 +86,41 @@ bool LaneSolver::areAlike(const PlaneConeProgram& one, const PlaneConeProgram& o
     return one.bodies == other.bodies && haveSamePoints(one.contacts, other.contacts);
 }
 
-std::vector<ConeSolution> LaneSolver::solve(const std::vector<const PlaneConeProgram*>& programs,
-                                            double tolerance)
+void LaneSolver::beginFrom(std::vector<PlaneConeProgram> programs)
 {
-    if (programs.empty() || programs.size() > static_cast<std::size_t>(lanes()))
+    references = std::move(programs);
+    beginnings.reset();
+}
+
+/// Follows the paths of the references where the program has their points. \return whether it has
+bool LaneSolver::prepareBeginnings(const PlaneConeProgram& program, double tolerance)
+{
+    if (references.empty() || !areAlike(references.front(), program))
     {
-        throw std::invalid_argument("LaneSolver solves from one program to as many as it has lanes");
+        return false;
     }
-    if (!geometry || !geometry->isOf(*programs.front()))
+    if (!beginnings || beginnings->tolerance != tolerance)
     {
-        geometry = std::make_unique<LaneGeometry>(*programs.front(), lanes());
+        beginnings = std::make_unique<LaneBeginnings>(*geometry, laneKernel(), references, tolerance);
     }
+    return !beginnings->isEmpty();
+}
+
+/// \param isBegun from the references; those that are not near one have no answer
+std::vector<ConeSolution> LaneSolver::solveAtOnce(const std::vector<const PlaneConeProgram*>& programs,
+                                                  double tolerance, bool isBegun)
+{
     // In lanes without a program the first one.
     std::vector<const PlaneConeProgram*> ofLane = programs;
     ofLane.resize(static_cast<std::size_t>(lanes()), programs.front());
     geometry->setPrograms(ofLane);
     geometry->task.tolerance = tolerance;
+    geometry->task.complementarity = 0;
+    geometry->task.isBegun = isBegun;
+    for (int lane = 0; lane < lanes() && isBegun; ++lane)
+    {
+        beginnings->begin(*geometry, *ofLane[static_cast<std::size_t>(lane)], lane);
+    }
     laneKernel().solve(geometry->task);
     std::vector<ConeSolution> solutions;
     for (std::size_t lane = 0; lane < programs.size(); ++lane)
@@ -117,4 +136,43 @@ std::vector<ConeSolution> LaneSolver::solve(const std::vector<const PlaneConePro
     return solutions;
 }
 
+std::vector<ConeSolution> LaneSolver::solve(const std::vector<const PlaneConeProgram*>& programs,
+                                            double tolerance)
+{
+    if (programs.empty() || programs.size() > static_cast<std::size_t>(lanes()))
+    {
+        throw std::invalid_argument("LaneSolver solves from one program to as many as it has lanes");
+    }
+    if (!geometry || !geometry->isOf(*programs.front()))
+    {
+        geometry = std::make_unique<LaneGeometry>(*programs.front(), lanes());
+    }
+    std::vector<ConeSolution> solutions =
+        solveAtOnce(programs, tolerance, prepareBeginnings(*programs.front(), tolerance));
+    if (!geometry->task.isBegun)
+    {
+        return solutions;
+    }
+    std::vector<std::size_t> left;
+    std::vector<const PlaneConeProgram*> again;
+    for (std::size_t index = 0; index < solutions.size(); ++index)
+    {
+        if (solutions[index].status != SolveStatus::optimal)
+        {
+            left.push_back(index);
+            again.push_back(programs[index]);
+        }
+    }
+    if (!again.empty())
+    {
+        const std::vector<ConeSolution> fromScratch = solveAtOnce(again, tolerance, false);
+        for (std::size_t index = 0; index < left.size(); ++index)
+        {
+            const SolverWork before = solutions[left[index]];
+            solutions[left[index]] = fromScratch[index];
+            addWork(solutions[left[index]], before);
+        }
+    }
+    return solutions;
+}
 } // namespace drystone

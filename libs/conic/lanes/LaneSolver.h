@@ -14,10 +14,12 @@
 namespace drystone
 {
 
+class LaneBeginnings;
 class LaneGeometry;
 
 /// The iterations are those of solveInteriorPoint. Answers do not depend on what else is solved, before or at
-/// the same time, by a single bit. Not for two threads at once.
+/// the same time, by a single bit: on the program, the tolerance and the references alone. Not for two
+/// threads at once.
 class LaneSolver
 {
 public:
@@ -37,6 +39,12 @@ public:
     /// Whether two programs may be solved together: the same points between the same bodies.
     static bool areAlike(const PlaneConeProgram& one, const PlaneConeProgram& other);
 
+    /// From now on programs of the same points begin near the solution of the nearest of these, and are
+    /// solved in fewer iterations the nearer it is; what is not answered from there, from scratch. Answers
+    /// depend on the references, to the tolerance. \param references alike, each taken; none: all from
+    /// scratch
+    void beginFrom(std::vector<PlaneConeProgram> references);
+
     /// \param programs at most `lanes()`, all taken and alike; not null
     /// \param tolerance on every figure of the certificate
     /// \return a solution each, `optimal` where its certificate meets the tolerance, else `notConverged` and
@@ -44,7 +52,13 @@ public:
     std::vector<ConeSolution> solve(const std::vector<const PlaneConeProgram*>& programs, double tolerance);
 
 private:
-    std::unique_ptr<LaneGeometry> geometry; ///< of the last points
+    bool prepareBeginnings(const PlaneConeProgram& program, double tolerance);
+    std::vector<ConeSolution> solveAtOnce(const std::vector<const PlaneConeProgram*>& programs,
+                                          double tolerance, bool isBegun);
+
+    std::vector<PlaneConeProgram> references;
+    std::unique_ptr<LaneBeginnings> beginnings; ///< of the references, once a program like them is solved
+    std::unique_ptr<LaneGeometry> geometry;     ///< of the last points
 };
 
 } // namespace drystone

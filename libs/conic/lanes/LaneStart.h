@@ -113,6 +113,98 @@ struct LaneStart : LaneSteps<lanes>
         pushInside(larger(Number{}, -1.5 * leastS), larger(Number{}, -1.5 * leastZ));
     }
 
+    /// From iterates of other programs. With the normal forces and shears of those their loads are balanced
+    /// whatever the friction, and their openings follow their motion.
+    void begin()
+    {
+        const LaneNumbers to = numbers;
+        beginRest();
+        for (int lane = 0; lane < lanes; ++lane)
+        {
+            const LaneBegin& from = task.begins[lane];
+            alpha[lane] = from.alpha;
+            for (long row = 0; row < rows; ++row)
+            {
+                to.y[lanes * row + lane] = from.openings * from.y[row];
+            }
+            beginRays(from, from.s, from.forces, lane, to.s, ofForces);
+            beginRays(from, from.z, from.openings, lane, to.z, ofOpenings);
+        }
+        for (long ray = 0; ray < rays; ++ray)
+        {
+            at(to.ratioS, ray) = at(to.ratioZ, ray) = Number{};
+            at(to.correctionS, ray) = at(to.correctionZ, ray) = Number{};
+        }
+        for (long row = rows; row < rows + 3; ++row)
+        {
+            at(to.y, row) = Number{};
+        }
+    }
+
+    /// Forces that carry the load alone, from those of the other programs, in the metric of these.
+    void beginRest()
+    {
+        const LaneNumbers to = numbers;
+        for (int lane = 0; lane < lanes; ++lane)
+        {
+            const LaneBegin& from = task.begins[lane];
+            if (from.resting)
+            {
+                beginRays(from, from.resting, from.forces, lane, to.s, ofForces);
+                continue;
+            }
+            for (long ray = 0; ray < rays; ++ray)
+            {
+                to.s[lanes * ray + lane] = 1;
+            }
+        }
+        seekRest(1); // mostly they carry it
+        if (!any(withoutRest()))
+        {
+            return;
+        }
+        for (long ray = 0; ray < rays; ++ray)
+        {
+            at(to.inverseZ, ray) = at(to.s, ray);
+        }
+        factoriseRaised();
+        seekRest(10);
+    }
+
+    /// What becomes of the difference of the two rays of a point as friction grows by a ratio: of forces it
+    /// is the shear over friction, of openings the slip times friction.
+    static double ofForces(double ratio) { return 1 / ratio; }
+    static double ofOpenings(double ratio) { return ratio; }
+
+    /// Rays of another program in a lane. \param shareOf one of the two above
+    template<class ShareOf>
+    void beginRays(const LaneBegin& from, const double* others, double unit, int lane, double* to,
+                   const ShareOf& shareOf)
+    {
+        for (int index = 0; index < Base::graph.faces; ++index)
+        {
+            const LaneFace& face = Base::graph.face[index];
+            const double share =
+                shareOf(numbers.friction[lanes * face.friction + lane] / from.friction[index]);
+            for (long ray = 2L * face.begin; ray < 2L * face.end; ray += 2)
+            {
+                beginPair(others + ray, unit, share, to + lanes * ray + lane);
+            }
+        }
+    }
+
+    /// The two rays of a point. \param unit of all \param share of their difference
+    static void beginPair(const double* from, double unit, double share, double* to)
+    {
+        constexpr double leastPart = 0.1;
+        const double sum = 0.5 * (from[0] + from[1]);
+        const double difference = 0.5 * share * (from[0] - from[1]);
+        const double one = sum + difference;
+        const double other = sum - difference;
+        to[0] = unit * (one > leastPart * from[0] ? one : leastPart * from[0]);
+        to[lanes] = unit * (other > leastPart * from[1] ? other : leastPart * from[1]);
+    }
+
     void pushInside(Number ofS, Number ofZ)
     {
         const LaneNumbers to = numbers;
@@ -136,20 +228,30 @@ struct LaneStart : LaneSteps<lanes>
         }
     }
 
-    /// Forces that carry the load alone, as NewtonSystem::forcesOfLoadAlone finds them.
-    void seekRest(int passes)
+    Mask withoutRest() const
     {
-        const LaneNumbers to = numbers;
         Mask sought = active;
         for (int lane = 0; lane < lanes; ++lane)
         {
             sought[lane] = task.ends[lane].isResting ? 0 : sought[lane];
         }
+        return sought;
+    }
+
+    /// Forces that carry the load alone, as NewtonSystem::forcesOfLoadAlone finds them.
+    void seekRest(int passes)
+    {
+        const LaneNumbers to = numbers;
+        Mask sought = withoutRest();
+        if (!any(sought))
+        {
+            return;
+        }
         for (long ray = 0; ray < rays; ++ray)
         {
             at(to.correctionS, ray) = at(to.s, ray);
         }
-        for (int pass = 0; pass < passes && any(sought); ++pass)
+        for (int pass = 0; pass < passes; ++pass)
         {
             for (long row = 0; row < rows + 3; ++row)
             {
@@ -175,6 +277,10 @@ struct LaneStart : LaneSteps<lanes>
                     task.ends[lane].isResting = task.ends[lane].isResting || found[lane];
                 }
                 sought &= ~found;
+            }
+            if (pass + 1 == passes || !any(sought))
+            {
+                break;
             }
             Base::template solve<1>({to.correction});
             Base::forClosings(to.correction, [&](long ray, Number closing)

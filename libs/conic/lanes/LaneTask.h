@@ -82,11 +82,25 @@ struct LaneNumbers
     double* blocks;                                              ///< 9 a block of the factor, by columns
 };
 
+/// Where another program of the same points was well inside its cones, and its units in those of the lane
+/// that begins there. Not owned.
+struct LaneBegin
+{
+    const double* friction; ///< of each face
+    const double* s;        ///< of each ray
+    const double* z;        ///< likewise
+    const double* y;        ///< of each row
+    const double* resting;  ///< of each ray, or null: none were found
+    double alpha;           ///< in units of the lane
+    double forces;          ///< unit of s
+    double openings;        ///< of z and y
+};
+
 /// How the program in one lane has ended.
 struct LaneEnd
 {
-    bool isAnswered; ///< the scaled residuals meet the tolerance but for the balance, which is repaired as
-                     ///< far as it goes
+    bool isAnswered; ///< what is sought was found; of an answer the scaled residuals meet the tolerance but
+                     ///< for the balance, which is repaired as far as it goes
     bool isResting;  ///< forces that carry the load alone were found
     int iterations;
 };
@@ -96,6 +110,10 @@ struct LaneTask
     LaneGraph graph;
     LaneNumbers numbers;
     double tolerance;
+    /// What is sought: 0, the answer; else the iterate with this mean product s z, near the central path.
+    double complementarity;
+    bool isBegun; ///< each lane as `begins` says; else from scratch
+    LaneBegin begins[8];
     LaneEnd ends[8]; ///< out; none at first
 };
 
