@@ -262,8 +262,8 @@ struct SamplesInProcess::Cases
         return structures;
     }
 
-    /// Samples that are solved in lanes begin near the solutions of references that depend on the study alone,
-    /// so that no sample depends on another one, nor on which process computes it. Once.
+    /// Samples that are solved in lanes begin near the solutions of references that depend on the study
+    /// alone, so that no sample depends on another one, nor on which process computes it. Once.
     void beginFromReferences()
     {
         if (ensemble.areAlike && !hasReferences)

@@ -101,7 +101,7 @@ struct LaneEnd
 {
     bool isAnswered; ///< what is sought was found; of an answer the scaled residuals meet the tolerance but
                      ///< for the balance, which is repaired as far as it goes
-    bool isResting; ///< forces that carry the load alone were found
+    bool isResting;  ///< forces that carry the load alone were found
     int iterations;
 };
 
