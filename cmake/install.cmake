@@ -34,9 +34,9 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/DrystoneConfigVersion.cmake
 install(FILES ${CMAKE_BINARY_DIR}/DrystoneConfig.cmake ${CMAKE_BINARY_DIR}/DrystoneConfigVersion.cmake
     DESTINATION ${package} COMPONENT development)
 
-# A tutorial that was copied elsewhere finds RunFunctions beside the applications: in bin/ of the build and of the
+# A tutorial that was copied elsewhere finds RunFunctions next to the applications: in bin/ of the build and of the
 # installation. drystone-new is a script that stands there in the same way. bash-completion looks for a file by the name
-# of the command. Runs copy etc/paraview/drystone.py beside their series.
+# of the command. Runs copy etc/paraview/drystone.py into the folder of their series.
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/etc/tools/RunFunctions ${CMAKE_BINARY_DIR}/bin/drystoneRunFunctions SYMBOLIC)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/etc/tools/drystone-new ${CMAKE_BINARY_DIR}/bin/drystone-new SYMBOLIC)

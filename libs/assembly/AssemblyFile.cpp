@@ -20,7 +20,7 @@ namespace drystone
 namespace
 {
 
-/// Refuses the entries of a dictionary that nothing has asked for.
+/// Refuses the entries of a dictionary that nothing has read.
 void refuseUnused(const Dictionary& dictionary, const std::vector<std::string>& known)
 {
     for (const Entry& entry : dictionary.entries())

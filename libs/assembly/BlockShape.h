@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Questions about the shape of one block that have an answer in the plane and in space, so that what asks
+/// Questions about the shape of one block that have an answer in the plane and in space, so that what needs
 /// them is one text. The answers are in plane/ and space/.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Rays from places on a face, level to the block opposite and upwards, tell whether blocks are in the way.
+/// Rays from places on a face, level to the block opposite and upwards, show whether blocks are in the way.
 #include "assembly/FillFromAbove.h"
 
 #include "assembly/BlockShape.h"

@@ -14,7 +14,7 @@ namespace drystone
 
 /// Whether a fill that comes down from its level lies against faces. Level with a point of a face it does
 /// where no block stands opposite, or where something between the face and that block is open to the sky; the
-/// underside of a span and the sides of an opening it would have to rise to, or come in from beside them
+/// underside of a span and the sides of an opening it would have to rise to, or come in from their sides
 /// where its level is below the span.
 template<int Dim>
 class FillFromAbove

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Loads made of single ones: sums, load cases and their combinations, and what a live load may be besides.
+/// Loads made of single ones: sums, load cases and their combinations, and what else a live load may be.
 #include "assembly/LoadTypes.h"
 
 #include "assembly/MovingLoad.h"

@@ -63,8 +63,8 @@ struct LoadPosition
 /// goes along its own ray through the fill to the first block in its way; what meets a fixed block or none
 /// loads nothing. It is cut where the block changes that rays meet, in the plane by halving, in space in
 /// strips along the path that are finer where the blocks of two differ or their borders bend: the share of a
-/// block is right to what it may be beside a joint, unless a block is narrower than a hundredth, in space a
-/// 24th, of the loaded length.
+/// block is exact but for what it may be next to a joint, unless a block is narrower than a hundredth, in
+/// space a 24th, of the loaded length.
 template<int Dim>
 std::vector<LoadPosition<Dim>> movingLoad(const Assembly<Dim>& assembly,
                                           const MovingLoadSettings<Dim>& settings);

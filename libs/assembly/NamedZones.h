@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Zones of an assembly by the names and patterns that dictionaries have: in this library because materials
-/// and loads on faces both ask for them.
+/// and loads on faces both need them.
 #pragma once
 
 #include "assembly/Assembly.h"

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Joints that constant/assembly/blocks states, beside the shapes of the blocks: what Polyhedra.h is of
+/// Joints that constant/assembly/blocks states, apart from the shapes of the blocks: what Polyhedra.h is of
 /// those.
 #pragma once
 

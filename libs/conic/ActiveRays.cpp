@@ -27,7 +27,7 @@ constexpr int mostChanges = 6; // of the set
 /// A ray of a start carries if its force is more than this part of the largest.
 constexpr double carrying = 1e-12;
 
-/// A ray of which less than this is left beside the others depends on them: forces are not unique.
+/// A ray of which less than this is left without the others depends on them: forces are not unique.
 constexpr double dependent = 1e-10;
 
 /// Overlaps of less than this part of the largest motion of a point are rounding.

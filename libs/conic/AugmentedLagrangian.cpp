@@ -363,7 +363,7 @@ ConeSolution solveAugmentedLagrangian(const ConeProgram<Rows, Forces>& program, 
     {
         throw std::invalid_argument("solveAugmentedLagrangian needs rigid points");
     }
-    // In increments from where the blocks are heading: the momenta they have drop out of the load, and the
+    // In increments from where the blocks move to: the momenta they have drop out of the load, and the
     // figures left are those of one step.
     ConeProgram<Rows, Forces> increment = program;
     const bool heads = start.displacement.size() == program.load.size();

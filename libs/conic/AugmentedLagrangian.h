@@ -26,7 +26,7 @@ struct AugmentedLagrangianSettings
     StopWhen stop = StopWhen::settled;
 };
 
-/// All digits, from whatever start: what proofs ask for where little is out of balance.
+/// All digits, from whatever start: what proofs need where little is out of balance.
 AugmentedLagrangianSettings exactSettings(int maximumIterations);
 
 /// Solves a program with inertia (a time step), of the plane or of space, by the method of multipliers on its
@@ -47,7 +47,7 @@ AugmentedLagrangianSettings exactSettings(int maximumIterations);
 /// handful of rounds suffices. Cohesion bounds rays of pure shear, and discs: P is onto the bounded set
 /// there.
 ///
-/// \param start forces of the last step, and where the blocks are heading (both sized as in the solution, or
+/// \param start forces of the last step, and where the blocks move to (both sized as in the solution, or
 /// empty). The better they are, the fewer steps.
 /// \param kept of the last program, to be used where the same bodies touch (form/Form.h); not owned
 /// \return `optimal` when the certificate meets the tolerance, otherwise `notConverged` with the last iterate

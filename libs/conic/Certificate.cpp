@@ -268,8 +268,8 @@ Certificate certifyInfeasible(const ConeProgram<Rows, Forces>& program,
     const StrengthWork strength = strengthWork(program, opening);
     const double work = program.load.dot(displacementRay) + strength.least;
     // The share of the load's work that does not cancel: a ray is only as good as f'y is clearly positive,
-    // also beside what the same forces would do on what its openings miss the cone by. Those are known to
-    // rounding at best, even where they come out as zero.
+    // also compared with what the same forces would do on what its openings miss the cone by. Those are known
+    // to rounding at best, even where they come out as zero.
     const double size = std::max(magnitude(program.load, displacementRay),
                                  largestRow<Rows, Forces>(program.load, 1 / lever)
                                      * largestRow<Rows, Forces>(displacementRay, lever));

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// How far a claimed solution is from being one, computed from the problem data alone: solvers are not asked.
+/// How far a claimed solution is from being one, computed from the problem data alone, without the solvers.
 #pragma once
 
 #include "conic/ConeProgram.h"

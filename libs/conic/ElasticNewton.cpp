@@ -113,7 +113,7 @@ public:
         {
             y = from + length * step;
             phi = value(y);
-            // In the last steps phi changes by less than its rounding: the slope tells then.
+            // In the last steps phi changes by less than its rounding: the slope decides then.
             const bool isLower =
                 phi <= before + armijo * length * descent || slope(y).norm() <= 0.5 * first.norm();
             if (isLower || length < shortest)

@@ -37,7 +37,7 @@ template<int Forces>
 bool leastOffSurface(const Eigen::Matrix<double, Forces, Forces>& W, const Force<Forces>& b, double mu,
                      Force<Forces>& force)
 {
-    // At the tip the point opens as much as its slip asks: b in the dual cone.
+    // At the tip the point opens as much as its slip requires: b in the dual cone.
     if (mu * b.template tail<Forces - 1>().norm() <= b[0])
     {
         force.setZero();

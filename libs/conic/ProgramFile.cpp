@@ -36,7 +36,7 @@ void read(TokenCursor& cursor, ContactEntry& contact)
     cursor.expect(')', "`)` of a contact point");
 }
 
-/// Likewise a strength: `read` must stand beside its type.
+/// Likewise a strength: `read` must be in the namespace of its type.
 struct StrengthEntry
 {
     Strength strength;

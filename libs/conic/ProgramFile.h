@@ -50,8 +50,8 @@ void writeProgram(const std::filesystem::path& file, const ConeProgram<Rows, For
 /// an inertia that is not symmetric and positive definite, a live load of zeros
 AnyConeProgram readProgram(const std::filesystem::path& file);
 
-/// What a solver calls after each program it is given, to write those that `when` asks for.
-/// \param file where to; asked for each program anew. A later program replaces an earlier one
+/// What a solver calls after each program it is given, to write those that `when` names.
+/// \param file where to; called for each program anew. A later program replaces an earlier one
 SolveObserver programWriter(WriteProgram when, std::function<std::filesystem::path()> file);
 
 } // namespace drystone

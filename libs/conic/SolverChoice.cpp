@@ -162,7 +162,7 @@ template<int Rows, int Forces>
 void findLastDigits(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice,
                     const ConeSolution& from, SymbolicAnalysis* kept, BestSolution<Rows, Forces>& found)
 {
-    // Which penalty keeps the most digits depends on how stiff the contacts are beside the inertia.
+    // Which penalty keeps the most digits depends on how stiff the contacts are compared with the inertia.
     AugmentedLagrangianSettings multipliers{choice.tolerance, choice.maximumIterations};
     multipliers.stop = StopWhen::settled;
     for (const double penalty : penaltiesOfLastDigits)

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Times the Schur system for weights of one, caches filled, as often as the clock asks for.
+/// Times the Schur system for weights of one, caches filled, as often as the clock requires.
 #include "conic/UnitOfWork.h"
 
 #include "conic/form/FormSchur.h"

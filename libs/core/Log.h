@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What an application tells its user on standard output.
+/// What an application reports to its user on standard output.
 #pragma once
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ int threadCount();
 /// `1 h 5 min`, `12 s`.
 std::string durationText(double seconds);
 
-/// A line that tells how far a run has come and how long it will still take, on a terminal only: nothing is
+/// A line that shows how far a run has come and how long it will still take, on a terminal only: nothing is
 /// printed where standard error is a file. The line is wiped before it is written again and at the end.
 class Progress
 {

@@ -8,7 +8,7 @@
 namespace drystone
 {
 
-// Compiled like everything else, so that the compiler's macros tell what it may use; nothing here is worth a
+// Compiled like everything else, so that the compiler's macros say what it may use; nothing here is worth a
 // vector instruction, of which this function must be free. 101 is the first priority that is not the
 // implementation's own.
 [[gnu::constructor(101)]] void requireProcessor()

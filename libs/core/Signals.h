@@ -9,7 +9,7 @@ namespace drystone
 /// of the same kind ends the program at once.
 void catchStopSignals();
 
-/// The signal that asked the program to stop; 0 when none did.
+/// The signal that requested the program to stop; 0 when none did.
 int stopSignal();
 
 /// What a shell expects of a program that a signal has ended: 128 + signal, 130 for Ctrl-C.

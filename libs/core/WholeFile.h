@@ -10,8 +10,8 @@
 namespace drystone
 {
 
-/// Writes a file through a temporary beside it that then takes its name, so that a reader, or a run that is
-/// killed, meets the old content or the new one and never half of it. Folders missing on the way are made.
+/// Writes a file through a temporary in its folder that then takes its name, so that a reader, or a run that
+/// is killed, meets the old content or the new one and never half of it. Folders missing on the way are made.
 /// A file that is replaced keeps its mode and, where this user can give it, its owner; other names of it
 /// (hard links) keep the old content. \throws FatalError naming the file and the system's reason (no
 /// permission, write-protected, disk full,
@@ -25,16 +25,16 @@ void writeFile(const std::filesystem::path& file, std::string_view content);
 /// to take their name when they were whole: `<name>.<process>.tmp` and `.purged` of processes that are gone.
 void removeLeftovers(const std::filesystem::path& folder);
 
-/// The bytes of a file; none where it cannot be read, which the caller has to tell from an empty one where
-/// that matters.
+/// The bytes of a file; none where it cannot be read, which the caller has to distinguish from an empty one
+/// where that matters.
 std::string contentOfFile(const std::filesystem::path& file);
 
-/// `share/drystone` beside the `bin` of the running application, of a build or of an installation; empty
+/// `share/drystone` next to the `bin` of the running application, of a build or of an installation; empty
 /// where there is no such folder.
 std::filesystem::path sharedFolder();
 
 /// Finds out whether files can be written into a folder, which need not exist yet, without touching anything:
-/// for a run to ask before it computes.
+/// for a run to find out before it computes.
 ///
 /// \throws FatalError naming the folder, and the system's reason, when they cannot
 void requireWritable(const std::filesystem::path& folder);

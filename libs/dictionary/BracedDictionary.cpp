@@ -54,7 +54,7 @@ std::vector<Token> valueTokens(TokenCursor& cursor, const TokenCursor& before, s
 class WrittenKeys
 {
 public:
-    /// Warns of a key that is given twice. \param repetition what its value would be then
+    /// Warns of a key that is given twice. \param repetition what the later value does to the earlier one
     void add(const Token& key, Repetition repetition, const SourceLocation& location)
     {
         if (!isWritten(key))

@@ -63,7 +63,7 @@ public:
     /// What is wrong with the next token: "<what> was expected but `courses` found", with its line.
     [[noreturn]] void fail(const std::string& message) const;
     [[noreturn]] void failExpected(std::string_view what) const;
-    /// \throws FatalIOError unless everything was read; tells of a missing `;`
+    /// \throws FatalIOError unless everything was read; mentions a missing `;`
     void expectEnd() const;
 
     /// Start of a list: `(` or `N(`, or `N{`, after `List<vector>` if that is there.
@@ -128,7 +128,7 @@ concept FixedVector = requires(Value& value)
         } -> std::same_as<double*>;
 };
 
-/// Enumerations with names: a function `namesOf(Enumeration)` beside it returns {{"name", value} ...}.
+/// Enumerations with names: a function `namesOf(Enumeration)` in its namespace returns {{"name", value} ...}.
 template<class Value>
 concept NamedEnumeration = std::is_enum_v<Value> && requires(Value value)
 {
@@ -281,7 +281,7 @@ public:
     /// Keeps the text that the tokens view.
     const std::shared_ptr<SourceText>& sourceText() const { return source; }
 
-    /// Whether anything has asked for the entry, a macro included.
+    /// Whether anything has read the entry, a macro included.
     bool isUsed() const { return used; }
     void markUsed() const { used = true; }
 
@@ -293,7 +293,7 @@ public:
         markUsed();
         TokenCursor cursor(*this);
         Value result{};
-        using drystone::read; // and those beside the type of the value
+        using drystone::read; // and those in the namespace of the value's type
         read(cursor, result);
         cursor.expectEnd();
         return result;

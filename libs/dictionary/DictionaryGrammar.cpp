@@ -382,7 +382,7 @@ struct Control : tao::pegtl::normal<Rule>
     }
 };
 
-/// Bytes that no text holds; they tell of a binary file before the grammar stumbles over it.
+/// Bytes that no text holds; they reveal a binary file before the grammar stumbles over it.
 void refuseBinary(const SourceFile& file)
 {
     const std::string& text = file.text;

@@ -14,8 +14,8 @@
 namespace drystone
 {
 
-/// A fingerprint that grows: FNV-1a of 64 bits (Fowler, Noll, Vo; RFC 9923). It tells what is different by
-/// accident, not by intent.
+/// A fingerprint that grows: FNV-1a of 64 bits (Fowler, Noll, Vo; RFC 9923). It distinguishes what is
+/// different by accident, not by intent.
 class Fingerprint
 {
 public:

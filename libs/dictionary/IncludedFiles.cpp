@@ -167,7 +167,7 @@ std::filesystem::path etcDirectory()
     {
         return directory;
     }
-    // An installed application has it beside its folder.
+    // An installed application has it next to its folder.
     std::error_code unknown;
     const std::filesystem::path installed = sharedFolder() / "etc";
     return std::filesystem::is_directory(installed, unknown) ? installed : DRYSTONE_ETC_DIRECTORY;

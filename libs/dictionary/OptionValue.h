@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What declared settings ask of the type of a field: its name, its text as a dictionary has it, its numbers.
+/// What declared settings require of the type of a field: its name, its text as a dictionary has it, its
+/// numbers.
 #pragma once
 
 #include "dictionary/Option.h"

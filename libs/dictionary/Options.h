@@ -21,7 +21,7 @@
 ///
 /// The values that fields are initialised with are the defaults. Fields can be
 /// - numbers, integers, switches, words, vectors (arrays, Eigen's), lists and pairs of these;
-/// - enumerations with a `namesOf(Enumeration)` beside them that returns {{"name", value} ...};
+/// - enumerations with a `namesOf(Enumeration)` in their namespace that returns {{"name", value} ...};
 /// - structures with a `declare`: a sub-dictionary;
 /// - std::vector of such: a list of dictionaries, `( { ... } { ... } )`;
 /// - std::vector<Named<...>> of such: a sub-dictionary in which users name the entries, `{ left { ... } }`;

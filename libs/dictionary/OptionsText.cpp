@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Declared options as text for users: the annotated dictionaries in etc/ and what -help lists. Both follow
-/// from the declaration alone, which is why they stand beside it.
+/// from the declaration alone, which is why they are in its library.
 #include "core/Paragraph.h"
 #include "dictionary/Options.h"
 

@@ -48,7 +48,7 @@ public:
     /// Of a place in the text [bytes].
     std::size_t offset(const char* at) const { return static_cast<std::size_t>(at - text.data()); }
 
-    /// Lines are counted once, from the last place asked for.
+    /// Lines are counted once, from the last place requested.
     int lineOf(const char* at);
 
     /// A message with the statements that are open.

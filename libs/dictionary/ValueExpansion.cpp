@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Goes from token to token, calls itself for included files, and tells macros which bracket is open.
+/// Goes from token to token, calls itself for included files, and passes on to macros which bracket is open.
 #include "dictionary/ValueExpansion.h"
 
 #include "dictionary/IncludedFiles.h"

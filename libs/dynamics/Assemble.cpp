@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The second stage of a step: the program of rigid blocks, and what the last step tells about its solution.
+/// The second stage of a step: the program of rigid blocks, and what the last step says of its solution.
 #include "contact/PointsOfPair.h"
 #include "dynamics/Step.h"
 
@@ -134,7 +134,7 @@ std::vector<int> pointsOfLastStep(const Step<Dim>& step)
     return old;
 }
 
-/// A step's guess: where the blocks are heading, and what the last step knew of its points.
+/// A step's guess: where the blocks move to, and what the last step knew of its points.
 /// \param old as pointsOfLastStep has found it
 template<int Dim>
 StepGuess guessFrom(const Motion<Dim>& motion, const std::vector<int>& old, double timeStep)

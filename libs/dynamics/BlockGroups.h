@@ -67,7 +67,7 @@ template<int Dim>
 Eigen::VectorXd linearDisplacement(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups);
 
 /// y of all blocks, turned by finite angles. \param ofGroups (u, r) of each group \param which blocks that
-/// are asked for, others have zeros; empty: all
+/// are requested, others have zeros; empty: all
 template<int Dim>
 Eigen::VectorXd displacementOfBlocks(const BlockGroups<Dim>& groups, const Eigen::VectorXd& ofGroups,
                                      const std::vector<char>& which = {});

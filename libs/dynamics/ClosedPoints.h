@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Which points of a step can hold blocks at rest: what both proofs of rest ask of its program.
+/// Which points of a step can hold blocks at rest: what both proofs of rest need of its program.
 #pragma once
 
 #include "effects/Effect.h"

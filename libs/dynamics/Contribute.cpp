@@ -8,7 +8,7 @@ namespace
 {
 
 /// Lets an overlap that is there when a step begins stay for now, all but so much of it: in `gapsOfEffects`,
-/// beside what is there. \param tolerance, reach what of it is closed \return whether there was any
+/// in addition to what is there. \param tolerance, reach what of it is closed \return whether there was any
 template<int Dim>
 bool leaveOverlaps(Step<Dim>& step, double tolerance, double reach)
 {

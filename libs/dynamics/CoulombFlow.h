@@ -48,7 +48,7 @@ template<int Dim>
 bool mayGoOn(const StepProgram<Dim>& program, const StepSettings& settings, const ConeSolution& start);
 
 /// Coulomb's law from the forces of the last step, without a program: with `automatic` alone, since every
-/// other solver is requested by name, and not near rest, which only a program tells from slow motion.
+/// other solver is requested by name, and not near rest, which only a program distinguishes from slow motion.
 template<int Dim>
 bool goesOnFromLastStep(ThetaStep& step, const FlowProblem<Dim>& problem, const ConeSolution& start,
                         Following following);

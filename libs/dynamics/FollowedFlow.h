@@ -10,8 +10,8 @@ namespace drystone
 /// How often Coulomb's law is linearised anew in a step before another way is taken.
 inline constexpr int mostRelinearisations = 10;
 
-/// Whether the flow of such steps is followed. Then the smallest overlap tells a force: none may be taken for
-/// rounding, which each step would put in its place.
+/// Whether the flow of such steps is followed. Then the smallest overlap stands for a force: none may be
+/// taken for rounding, which each step would put in its place.
 inline bool followsFlow(const StepSettings& settings)
 {
     return settings.flowRule == FlowRule::nonAssociative && settings.overlaps != Overlaps::none;

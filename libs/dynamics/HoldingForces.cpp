@@ -106,7 +106,7 @@ HoldingForces findHoldingForces(Step<Dim>& step, const BlockGroups<Dim>& groups,
     const double tolerance = step.settings.solver.tolerance;
     const double closer = partOfTolerance * tolerance;
     const InnerBalance<Dim> inner = innerBalance(step, groups, std::move(missing));
-    std::optional<StepProgram<Dim>> balance; // made once it is asked for
+    std::optional<StepProgram<Dim>> balance; // made once it is needed
     const auto grounded = [&]() -> const StepProgram<Dim>&
     { return balance ? *balance : balance.emplace(withGroundInBodies(groups, inner.program)); };
     const Eigen::VectorXd near = takenFrom<Dim>(inner.points, step.guess.contactForce);

@@ -307,7 +307,7 @@ ImpactOutcome ImpactSearch<Dim>::refined(const std::vector<char>& gains, ImpactO
     return outcomeBetween(problem, groups, low, high, roots);
 }
 
-/// A block that is wedged can not part from all points that it meets, as Newton's law asks for: the impact
+/// A block that is wedged can not part from all points that it meets, as Newton's law requires: the impact
 /// without rebound. \return whether there is one
 template<int Dim>
 bool ImpactSearch<Dim>::solveOfWedged(ImpactOutcome& chosen)

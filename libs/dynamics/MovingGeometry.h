@@ -33,7 +33,7 @@ void forgetRounding(const DynamicCase<Dim>& scene, std::vector<ContactPoint<Dim>
 template<int Dim>
 using Shear = Eigen::Matrix<double, Dim - 1, 1>;
 
-/// How blocks are displaced between two placements, each found when it is first asked for. Neither is owned.
+/// How blocks are displaced between two placements, each found when it is first needed. Neither is owned.
 template<int Dim>
 class BlockMotions
 {

@@ -194,7 +194,7 @@ void goOn(PartsInTurn<Dim>& turn, const Motion<Dim>& motion)
 {
     turn.parts.add(motion, turn.length);
     turn.left = turn.length == turn.left ? 0 : turn.left - turn.length;
-    // What the first attempt knew of more than what is left tells more of it than a shorter part does.
+    // What the first attempt knew of more than what is left says more of it than a shorter part does.
     PointForces<Dim> forces =
         turn.left > turn.length ? std::move(turn.attemptForces.meeting) : PointForces<Dim>();
     turn.attemptForces = {};

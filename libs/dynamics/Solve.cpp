@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The stage of a step that solves its program, and what the others ask of a solution.
+/// The stage of a step that solves its program, and what the others need of a solution.
 #include "dynamics/FollowedFlow.h"
 #include "dynamics/HeldBlocks.h"
 #include "dynamics/Step.h"
@@ -62,7 +62,7 @@ bool solveWithoutSliding(Step<Dim>& step)
         return true;
     }
     forgetBodies(step);
-    step.motion.work.done = done; // work in vain takes nothing from the step
+    step.motion.work.done = done; // work that led to nothing takes none from the step
     return false;
 }
 

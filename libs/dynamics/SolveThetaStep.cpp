@@ -201,7 +201,7 @@ void StepSearch<Dim>::chooseFollowing()
 {
     if constexpr (Dim == 3)
     {
-        // Where overlaps are closed they do not tell.
+        // Where overlaps are closed they show nothing.
         const bool isFollowed = settings.overlaps == Overlaps::closed && !isImpact
                                     ? !settings.isFixedPointOnly
                                     : areFollowed(program, start.contactForce);
@@ -238,7 +238,7 @@ void StepSearch<Dim>::chooseStart()
     }
 }
 
-/// What Coulomb's law asks of a guess: where the blocks will be, and how far points open by sliding there.
+/// What Coulomb's law needs of a guess: where the blocks will be, and how far points open by sliding there.
 template<int Dim>
 void StepSearch<Dim>::expectSliding()
 {

@@ -46,7 +46,7 @@ template<int Dim>
 void questionSpeeds(const Assembly<Dim>& assembly, const InitialState<Dim>& start,
                     const TimeControls& controls);
 
-/// Warns of a block beside one so heavy that what it weighs is in the tolerance of the solver: it hovers.
+/// Warns of a block next to one so heavy that what it weighs is in the tolerance of the solver: it hovers.
 template<int Dim>
 void questionMasses(const DynamicCase<Dim>& scene);
 

@@ -59,8 +59,8 @@ struct StepSolution
 };
 
 /// Steps with less than everything are solved with errors in their gaps of this part of those allowed. With
-/// everything they take a second program more often, after which gaps are far better than they are asked to
-/// be; and an error in a gap is several times as much at the far end of a body.
+/// everything they take a second program more often, after which gaps are far better than they are required
+/// to be; and an error in a gap is several times as much at the far end of a body.
 constexpr double partOfGapWithLess = 0.1;
 
 /// Some of the points of a step.
@@ -146,7 +146,7 @@ template<int Dim>
 bool hasImpacts(const DynamicCase<Dim>& scene);
 
 /// Whether points have collided in each of the last steps: a program with fewer bodies, whose steps are taken
-/// again with all blocks where points collide, is probably in vain.
+/// again with all blocks where points collide, probably leads to nothing.
 template<int Dim>
 bool keepsColliding(const Motion<Dim>& motion);
 
@@ -185,7 +185,7 @@ void solve(Step<Dim>& step);
 template<int Dim>
 void beginAgain(Step<Dim>& step);
 
-/// Impacts of their own, where restitution or a theta below 1 asks for them (Impact.h): finds the points that
+/// Impacts of their own, where restitution or a theta below 1 requires them (Impact.h): finds the points that
 /// the solution closes, and gives the blocks the velocities after the impact there. \return whether the step
 /// is to be solved again from these
 ///

@@ -23,7 +23,7 @@ struct BlockVelocity
 };
 
 /// Why a step whose programs are solved is not taken: what is found from tangents of turns, and contacts from
-/// where blocks are heading, holds for steps that are not too long only.
+/// where blocks move to, holds for steps that are not too long only.
 enum class StepFault
 {
     none,

@@ -85,7 +85,7 @@ private:
     std::vector<PackedMatrix<Dim>> bent;
 };
 
-/// Of which blocks a relinearisation asks: in the plane finite rotations change gaps and no momenta, so that
+/// Which blocks a relinearisation needs: in the plane finite rotations change gaps and no momenta, so that
 /// it is those at the points. \return empty: of all
 template<int Dim>
 std::vector<char> blocksThatMatter(const BlockGroups<Dim>& groups, const StepProgram<Dim>& ofBlocks)

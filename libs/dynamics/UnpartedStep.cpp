@@ -16,13 +16,13 @@ namespace
 {
 
 /// Steps after one that was solved only as its overlaps stayed, in which they stay too: what such steps take
-/// in vain is some hundred factorisations.
+/// without success is some hundred factorisations.
 constexpr int stepsWithOverlaps = 20;
 
 /// That contact gives a block within a step, beyond what it was turning by [rad].
 constexpr double farthestTurn = 1;
 
-/// Whether contact turns a block farther from where it was heading than its place can be followed from
+/// Whether contact turns a block farther from where it was moving to than its place can be followed from
 /// tangents of its turn: what was found so may have gained several times its energy.
 template<int Dim>
 bool turnsTooFar(const Step<Dim>& step)

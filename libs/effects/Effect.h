@@ -131,7 +131,7 @@ public:
     /// The motion of the ground that the run is seen from; null: the effect is none of that.
     virtual const GroundMotion* groundMotion() const { return nullptr; }
 
-    /// What it asks of a step that begins at a time and chooses its length: an effect that is a given
+    /// What it requires of a step that begins at a time and chooses its length: an effect that is a given
     /// function of time must not be stepped over.
     virtual StepBounds stepBounds(double /*time*/) const { return {}; }
 

@@ -61,7 +61,7 @@ struct AbsentEffect
     std::string_view summary;
 };
 
-/// All of them: asking for one is an error, so that nobody takes a result for what it is not.
+/// All of them: to request one is an error, so that nobody takes a result for what it is not.
 const std::vector<AbsentEffect>& absentEffects();
 
 } // namespace drystone

@@ -65,7 +65,7 @@ bool isAnyHeld(const std::vector<int>& bondOfPoint);
 template<int Dim>
 std::vector<Strength> strengthsOf(const std::vector<Bond<Dim>>& bonds, const std::vector<int>& bondOfPoint);
 
-/// What tells a bond that gives way from one that a solver's tolerance moves.
+/// What distinguishes a bond that gives way from one that a solver's tolerance moves.
 struct YieldTolerance
 {
     double length = 0; ///< opened or slid by less is not [m]

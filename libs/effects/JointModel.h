@@ -32,7 +32,7 @@ struct ContactModel
     ContactFormulation formulation = ContactFormulation::points;
 };
 
-/// Contact points of the joints in space: a grid over each, beside its corners.
+/// Contact points of the joints in space: a grid over each, in addition to its corners.
 struct PointGrid
 {
     int perSide = 5; ///< points along each side of a joint
@@ -44,7 +44,7 @@ struct AdaptivePoints
     double tolerance = 1e-3; ///< of the multiplier, by which it may exceed the bound of its mechanism
 };
 
-/// Points of joints in space beside their corners.
+/// Points of joints in space in addition to their corners.
 using MorePoints = std::variant<PointGrid, AdaptivePoints>;
 
 void declare(Options& options, ContactModel& model);

@@ -7,8 +7,8 @@
 namespace drystone
 {
 
-/// Strength of the joints over their area. Of cohesion: shear that a joint carries beside friction; of
-/// tension: normal stress that holds it together; of crushing: pressure that it bears.
+/// Strength of the joints over their area. Of cohesion: shear that a joint carries in addition to friction;
+/// of tension: normal stress that holds it together; of crushing: pressure that it bears.
 struct JointStrength
 {
     double strength = 0; ///< [Pa]

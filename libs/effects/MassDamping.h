@@ -72,7 +72,7 @@ private:
 ///
 ///     a = p (1 - r^2) s0^2 / (2 (J0 + J1)).
 ///
-/// It depends on the amplitude: theta0 -> 0 asks for a -> infinity, as rocking becomes ever quicker. Against
+/// It depends on the amplitude: theta0 -> 0 requires a -> infinity, as rocking becomes ever quicker. Against
 /// the integrals of both equations theta1 is right to 0.3% up to alpha = 0.25, and to 2.3% at 0.35.
 /// \param gravity [m/s2], its magnitude
 double equivalentDamping(const HousnerLoss& loss, double gravity);

@@ -19,7 +19,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// Whether a key asks for something: an empty list or the default, as etc/annotated has them, does not.
+/// Whether a key requests something: an empty list or the default, as etc/annotated has them, does not.
 bool asksFor(const Dictionary& dictionary, const std::string& key)
 {
     if (!dictionary.found(key))

@@ -131,8 +131,8 @@ Command commandOf(const std::string& application, const fs::path& caseDirectory,
     ::_exit(notStarted);
 }
 
-/// Waits for a process, and hands on the signal that asks this one to stop. \return its status, as waitpid
-/// has it, and whether it was interrupted
+/// Waits for a process, and hands on the signal that requests this one to stop. \return its status, as
+/// waitpid has it, and whether it was interrupted
 std::pair<int, bool> waitFor(pid_t child)
 {
     constexpr int longestWait = 10; // [ms]

@@ -91,7 +91,7 @@ bool isCaseForLanes(const Ensemble& ensemble)
     }
 }
 
-/// Refuses scripts that are not there, before samples are run in vain.
+/// Refuses scripts that are not there, before samples are run for nothing.
 void requireScripts(const Ensemble& ensemble, const fs::path& caseDirectory)
 {
     for (const std::string& application : ensemble.settings.applications)

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Rows of results that are kept for later, with what tells whether they have been changed since: a disk or
+/// Rows of results that are kept for later, with what shows whether they have been changed since: a disk or
 /// an editor that changes a digit leaves a number as good as any.
 #pragma once
 

@@ -102,7 +102,7 @@ using RunReport = std::function<void(std::size_t motion, const IncrementalRun& r
 /// All runs, on as many threads as there are. The result does not depend on their number. After a signal no
 /// further run is
 /// started. \param report of the runs that are carried out \param known of each motion, runs that are not
-/// repeated; those that the plan does not ask for are left out; empty: none
+/// repeated; those that the plan does not request are left out; empty: none
 /// \return one curve for each ground motion
 template<int Dim>
 std::vector<IncrementalCurve> carryOut(const IncrementalDynamics<Dim>& study, const RunReport& report = {},

@@ -29,7 +29,8 @@ std::string headingOf(const std::filesystem::path& caseDirectory, const Incremen
                                      study.stopWhenMet ? "yes" : "no");
     for (const StudyMotion& motion : study.motions)
     {
-        // The whole record is in the case, or it is the user's own file: its peak tells another one.
+        // The whole record is in the case, or it is the user's own file: its peak shows whether it is another
+        // one.
         text += fmt::format(" {} {}", motion.name, motion.peak);
     }
     return text

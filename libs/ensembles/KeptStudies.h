@@ -9,8 +9,8 @@
 namespace drystone
 {
 
-/// For who shows the results of studies beside the input of now: warns of those that follow from other input,
-/// and of an ensemble whose dictionary wants other samples. \return the warnings
+/// For who shows the results of studies together with the input of now: warns of those that follow from other
+/// input, and of an ensemble whose dictionary wants other samples. \return the warnings
 std::vector<std::string> compareStudies(const std::filesystem::path& caseDirectory);
 
 } // namespace drystone

@@ -55,7 +55,7 @@ Plot searchPicture(const ParameterSearchSettings& settings, const std::vector<Ev
     plot.title = fmt::format("{} {}", settings.objective.goal == SearchGoal::minimise ? "Least" : "Largest",
                              settings.objective.value);
     plot.subtitle = fmt::format("{:.9g} at {}", best.objective, place);
-    constexpr std::size_t mostLetters = 40; // beside the axis; the title has all of it
+    constexpr std::size_t mostLetters = 40; // along the axis; the title has all of it
     plot.y.label = settings.objective.value.size() <= mostLetters ? settings.objective.value : "objective";
     const bool overVariable = settings.variables.size() == 1;
     plot.x.label = overVariable ? settings.variables.front().first : "evaluation";

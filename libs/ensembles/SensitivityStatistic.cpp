@@ -169,7 +169,7 @@ StatisticRow rowOf(const std::string& quantity, double value, std::vector<double
 /// A bar for each variable, the largest on top.
 Plot barsOf(const std::vector<Indices>& indices, const std::vector<std::string>& names)
 {
-    constexpr double half = 0.3; // of a bar's width, beside a distance of 1
+    constexpr double half = 0.3; // of a bar's width, where the distance of bars is 1
     Plot plot;
     plot.subtitle = "bar: total index; filled part to its mark: first order";
     plot.x.label = "part of the variance";

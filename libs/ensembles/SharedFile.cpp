@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// By the calls of the system, as a stream tells neither why it fails nor how much it has written.
+/// By the calls of the system, as a stream reports neither why it fails nor how much it has written.
 #include "ensembles/SharedFile.h"
 
 #include "core/Error.h"

@@ -87,7 +87,7 @@ std::vector<std::string> cellsOf(const WordTable& table, const std::vector<std::
     return cells;
 }
 
-/// The statistics that system/ensembleDict asks for and that have no row in their table.
+/// The statistics that system/ensembleDict requests and that have no row in their table.
 std::vector<std::string> missingStatistics(const fs::path& caseDirectory, const WordTable& statistics)
 {
     const Dictionary dictionary = Dictionary::readFileIfPresent(caseDirectory / "system/ensembleDict");

@@ -61,7 +61,7 @@ private:
     std::vector<double> values;
 };
 
-/// A row to be written: its numbers, below a comment that tells whether they have been changed since, so that
+/// A row to be written: its numbers, below a comment that shows whether they have been changed since, so that
 /// a table has its columns alone.
 std::string historyRow(const std::string& numbers);
 

@@ -198,7 +198,7 @@ private:
     }
 
     /// Claims the next chunk that nobody has; -1 when there is none now. Programs begin at different places.
-    /// \param lastLook when all chunks were last asked for, so that waiting for others costs little
+    /// \param lastLook when all chunks were last claimed, so that waiting for others costs little
     long nextChunk(double& lastLook)
     {
         if (isExhausted && monotonicTime() - lastLook < 0.3)

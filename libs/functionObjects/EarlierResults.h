@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Files of an earlier limit analysis, of other loads, that would stand beside the results of this one: in
+/// Files of an earlier limit analysis, of other loads, that would be found among the results of this one: in
 /// this library because it writes them.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The function object that lists the motion of the ground beside what it causes.
+/// The function object that lists the motion of the ground with what it causes.
 #pragma once
 
 #include "effects/GroundMotion.h"

@@ -30,11 +30,11 @@ NumberTable readNumberTable(const std::filesystem::path& file);
 /// not finite. \return each with the unit of its columns
 std::vector<std::pair<std::string, Plot>> historyPlots(const NumberTable& table, const std::string& title);
 
-/// The picture of the columns of a unit beside their table, without its ending: energy_J, block3_m_s, and
-/// <table>_numbers for columns without a unit.
+/// The picture of the columns of a unit in the folder of their table, without its ending: energy_J,
+/// block3_m_s, and <table>_numbers for columns without a unit.
 std::filesystem::path historyPicture(const std::filesystem::path& table, const std::string& unit);
 
-/// Draws each table (.dat) of a folder over time, a picture for each unit beside it: energy_J.svg,
+/// Draws each table (.dat) of a folder over time, a picture for each unit in it: energy_J.svg,
 /// block3_m_s.svg; columns without unit are in <table>_numbers. \param title of the case
 /// \return number of pictures \throws FatalError naming what cannot be written
 std::size_t writeHistoryPictures(const std::filesystem::path& folder, const std::string& title,

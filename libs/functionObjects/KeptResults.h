@@ -48,15 +48,16 @@ void compareWithInput(const State& start, const std::vector<InputFile>& now, con
 std::string compareWithInput(const std::vector<std::pair<std::string, State>>& states,
                              const std::vector<InputFile>& now);
 
-/// `input` beside the tables of an application, and what it says; nothing where there is none.
+/// `input` in the folder of an application's tables, and what it says; nothing where there is none.
 void writeInput(const std::filesystem::path& file, const std::vector<InputFile>& files);
 std::optional<std::vector<InputFile>> readInput(const std::filesystem::path& file);
-/// Warns when the results beside this file follow from other input. \return the warning; empty: none
+/// Warns when the results in the folder of this file follow from other input. \return the warning; empty:
+/// none
 std::string compareWithInput(const std::filesystem::path& file, const std::vector<InputFile>& now);
 
-/// For who shows the states of a motion beside the input of now: warns as above, and where that input cannot
-/// be read. \param times names of their directories \param assembly with closed joints
-/// \return the warning; empty: none
+/// For who shows the states of a motion together with the input of now: warns as above, and where that input
+/// cannot be read. \param times names of their directories \param assembly with closed joints \return the
+/// warning; empty: none
 template<int Dim>
 std::string compareMotion(const std::filesystem::path& caseDirectory, const Assembly<Dim>& assembly,
                           const std::vector<std::string>& times);

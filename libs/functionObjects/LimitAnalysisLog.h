@@ -17,8 +17,8 @@ template<int Dim>
 void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
                             const std::filesystem::path& caseDirectory);
 
-/// What is asked of a lowest collapse by Coulomb's law that is far below the associative multiplier; empty
-/// where it is not.
+/// What is questioned of a lowest collapse by Coulomb's law that is far below the associative multiplier;
+/// empty where it is not.
 std::string questionOfLowest(const CoulombRange& range);
 
 /// Multiplier, status and certificate. No multiplier is printed for what did not converge.

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What a multiplier means in forces, for logs and reports: an engineer asks for 49.0 kN, not for alpha
+/// What a multiplier means in forces, for logs and reports: an engineer wants 49.0 kN, not for alpha
 /// = 48.9996.
 #pragma once
 

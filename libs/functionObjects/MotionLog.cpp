@@ -110,7 +110,7 @@ void printUnappliedLoad(const std::filesystem::path& caseDirectory)
 namespace
 {
 
-/// What happened in the step besides its solution, a line each; mostly nothing.
+/// What happened in the step apart from its solution, a line each; mostly nothing.
 template<int Dim>
 std::vector<std::string> eventsOf(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
 {

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Questions about strengths of joints that are correct and may not be what was meant. What a load is beside
-/// them is known with the answer only.
+/// Questions about strengths of joints that are correct and may not be what was meant. What a load is
+/// compared with them is known with the answer only.
 #pragma once
 
 #include "core/Doubt.h"

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Small matrices for lists of them. In this library beside its vectors.
+/// Small matrices for lists of them. In this library like its vectors.
 #pragma once
 
 #include <Eigen/Core>

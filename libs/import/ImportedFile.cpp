@@ -121,7 +121,7 @@ double numberOf(const ImportedFile& file, int line, std::string_view word)
     double value = 0;
     const auto [end, code] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
     const bool isTiny = code == std::errc::result_out_of_range
-                        && std::abs(std::strtod(std::string(plain).c_str(), nullptr)) < 1; // it tells which
+                        && std::abs(std::strtod(std::string(plain).c_str(), nullptr)) < 1; // it shows which
     if (plain.empty() || end != plain.data() + plain.size() || (code != std::errc() && !isTiny))
     {
         refuse(file, line,

@@ -70,7 +70,7 @@ Solids readPly(const ImportedFile& file);
 Solids readStl(const ImportedFile& file);
 
 /// COMPAS JSON: an assembly of compas_assembly, in the schemas of compas 2, 1 and 0.19 (`data` or `value`,
-/// graph or network, blocks in the nodes or beside them), a list of meshes, or a mesh. Blocks with
+/// graph or network, blocks in the nodes or apart from them), a list of meshes, or a mesh. Blocks with
 /// `is_support` have that name for a zone, and those in the list `zones` of their node, as exportBlocks
 /// writes it. Interfaces are read.
 Solids readCompasJson(const ImportedFile& file);

@@ -166,7 +166,7 @@ void paintAxes(Canvas& drawing, const Plot& plot, const Frame& frame, const std:
                        {.size = 13.5, .anchor = TextAnchor::middle, .rotation = -90});
 }
 
-/// Between the axis and what stands beside it [px].
+/// Between the axis and what stands next to it [px].
 constexpr double leastRoom = 24;
 constexpr double lengthOfKey = 28;
 constexpr double textOfKey = 36;
@@ -203,7 +203,7 @@ AxisRange rangeOf(const Plot& plot, ReferenceDirection along)
     return chooseRange(isX ? plot.x : plot.y, values);
 }
 
-/// Width that the legend takes beside the frame [px].
+/// Width that the legend takes next to the frame [px].
 double roomOfLegend(const Plot& plot)
 {
     constexpr double beforeText = 16 + textOfKey + 6;

@@ -14,7 +14,7 @@ namespace drystone
 /// A frame of a series.
 struct SeriesFrame
 {
-    std::string file; ///< its name, beside the list
+    std::string file; ///< its name, in the folder of the list
     double time;      ///< [s], of a mechanism its part from 0 to 1
 };
 

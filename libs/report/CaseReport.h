@@ -24,7 +24,7 @@ struct ReportSection
 /// named. Results that follow from other input than that of now are warned of, in the log and on the page.
 /// Of a case without blocks, as one whose studies make them anew for each run, the page has the sections
 /// given, pictures, warnings and how to repeat it. \param file of the page, made whole or not at all \param
-/// warnings what the page is to warn of besides \param sections that come before the pictures \throws
+/// warnings what else the page is to warn of \param sections that come before the pictures \throws
 /// FatalError where the case has no results, and what reading its input throws
 void writeReport(const std::filesystem::path& caseDirectory, const std::filesystem::path& file,
                  std::vector<std::string> warnings = {}, const std::vector<ReportSection>& sections = {});

@@ -27,7 +27,7 @@ pre { background: #f6f6f4; padding: 0.6em; white-space: pre-wrap; overflow-wrap:
 )";
 
 /// Names of a drawing, such as that of what it is cut to, belong to the whole page that it stands in: a
-/// prefix tells them from those of other drawings.
+/// prefix distinguishes them from those of other drawings.
 std::string withOwnNames(std::string_view svg, std::string_view prefix)
 {
     std::string text;

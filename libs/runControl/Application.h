@@ -20,7 +20,7 @@
 namespace drystone
 {
 
-/// A time step frees its arrays and the next asks for the same again. Given back to the system they are
+/// A time step frees its arrays and the next allocates the same again. Given back to the system they are
 /// fetched anew page by page, which takes long, so that the C library is instructed to keep them. jemalloc,
 /// which applications have where it is installed, keeps them by itself.
 void keepFreedMemory();

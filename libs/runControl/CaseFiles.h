@@ -29,12 +29,12 @@ struct CaseFolder
 };
 const std::vector<CaseFolder>& caseFolders();
 
-/// Refuses a file in 0/, constant/ or system/, or beside them, that is not read and whose name is
+/// Refuses a file in 0/, constant/ or system/, or next to them, that is not read and whose name is
 /// - that of a file which is read, in other capitals, in another folder, or with the ending .txt;
 /// - what OpenFOAM calls such a file: fvSchemes, fvSolution, ...;
 /// - a misspelling of one that is absent: constant/groundMotoin.
 /// An optional file would not be missed, and the earthquake would not happen. All else is left alone: names
-/// with an ending, hidden ones, copies for safety (`loads~`, `loads.orig`), variants beside the file itself
+/// with an ending, hidden ones, copies for safety (`loads~`, `loads.orig`), variants of a file that is there
 /// (`groundMotion2`), folders of records. \throws FatalIOError naming the file, what it may have been meant
 /// as and how to keep it
 void refuseMisnamedFiles(const std::filesystem::path& caseDirectory);

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Tries for the lock until patience ends; /proc/locks tells by the inode which process has it.
+/// Tries for the lock until patience ends; /proc/locks shows by the inode which process has it.
 #include "runControl/CaseLock.h"
 
 #include "core/Error.h"

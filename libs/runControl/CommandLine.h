@@ -14,7 +14,8 @@
 namespace drystone
 {
 
-/// Decides which options an application has beside `-case -help -version -parallel -noFunctionObjects`.
+/// Decides which options an application has in addition to `-case -help -version -parallel
+/// -noFunctionObjects`.
 enum class ApplicationKind
 {
     preProcessor, ///< also `-dict FILE`

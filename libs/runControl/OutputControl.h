@@ -52,11 +52,11 @@ struct TimePoint
     double deltaT = 0;   ///< of the step that led here [s]
     long index = 0;      ///< number of steps since time 0, parts of steps counted as steps
     long writeTimes = 0; ///< at which the run has written its state by now, this one too
-    /// [s]; absent: as they are when they are asked for, since few outputs do and reading them costs a call
+    /// [s]; absent: as they are when they are read, since few outputs do and reading them costs a call
     /// of the system.
     std::optional<double> cpuTime = {};
     std::optional<double> clockTime = {};
-    /// How many of the steps were no ends of steps that were asked for: all but the last of the parts that
+    /// How many of the steps were no ends of steps that were requested: all but the last of the parts that
     /// one is made in where it cannot be solved as a whole.
     long unfinished = 0;
     bool endsOnInstants = false; ///< with adjustTimeStep: steps end on instants to write at
@@ -69,7 +69,7 @@ double reachOf(const TimePoint& now);
 /// Within how much of each other two instants are one: that of rounding [s]. \param deltaT of a step there
 double sameInstant(double value, double deltaT);
 
-/// Tells whether a moment is one to write at. To be asked once a step, in order.
+/// Whether a moment is one to write at. To be called once a step, in order.
 class OutputControl
 {
 public:

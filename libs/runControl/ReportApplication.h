@@ -8,7 +8,7 @@
 namespace drystone
 {
 
-/// Runs the application `report`, which stands beside the one that runs, on a case and prints what it wrote;
+/// Runs the application `report`, from the folder of the one that runs, on a case and prints what it wrote;
 /// its messages of faults appear on standard error.
 /// \throws FatalError when it cannot be started, or its fault with its exit status
 void runReport(const std::filesystem::path& caseDirectory);

@@ -16,7 +16,7 @@ struct ThreadControls
 
 void declare(Options& options, ThreadControls& controls);
 
-/// From now on the solvers of this process have the threads that its case asks for, or those that are
+/// From now on the solvers of this process have the threads that its case requests, or those that are
 /// granted. \throws FatalIOError for a number of threads that is none
 void useThreads(const Dictionary& controlDict);
 

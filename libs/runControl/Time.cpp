@@ -94,7 +94,7 @@ Time::Time(const TimeControls& controls, const TimeState& from)
     : needed(ControlDict::required), settings(controls)
 {
     settings.runTimeModifiable = false;
-    namePrecision = largestTimePrecision; // no name is too short, so that there is nothing to tell
+    namePrecision = largestTimePrecision; // no name is too short, so that there is nothing to report
     resume(from);
     startDirectory = timeName(begin, settings.timeFormat, namePrecision);
 }

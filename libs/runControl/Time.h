@@ -55,7 +55,7 @@ public:
     /// \throws FatalIOError for what is wrong with controlDict, and when it is required and not there
     explicit Time(const std::filesystem::path& caseDirectory, ControlDict presence = ControlDict::optional,
                   RunsOfCase runs = RunsOfCase::one);
-    /// The time of one run among many: it continues from `from`, reads no file again and tells nothing.
+    /// The time of one run among many: it continues from `from`, reads no file again and reports nothing.
     Time(const TimeControls& controls, const TimeState& from);
     Time(const Time&) = delete;
     Time& operator=(const Time&) = delete;
@@ -94,7 +94,7 @@ public:
     bool loop();
 
     /// Whether the state is to be written at the end of this step; the same answer all through a step. A
-    /// signal that has come by the first time it is asked makes it yes, and this step the last.
+    /// signal that has come by the first call makes it true, and this step the last.
     bool isWriteTime();
 
     /// Whether this step has its lines in the log, as logFrequency of controlDict has it.
@@ -105,9 +105,9 @@ public:
 
     /// Change the length of the steps to come, with adjustTimeStep; shortened so that steps end on the
     /// instants of adjustableRunTime, those of `stopAlsoAt`, the end time and the next change of what acts,
-    /// or a thousandth of a step beside that. \param changeAt when that is [s]
+    /// or a thousandth of a step off that. \param changeAt when that is [s]
     void setDeltaT(double length, double changeAt = std::numeric_limits<double>::infinity());
-    /// What that was asked for last, not shortened: steps after an instant need not grow from a short one
+    /// What that was called with last, not shortened: steps after an instant need not grow from a short one
     /// [s].
     double wantedDeltaT() const { return wanted > 0 ? wanted : step; }
     /// With adjustTimeStep steps end on these instants too: given a time and the length of a step, how long

@@ -16,12 +16,12 @@ namespace
 {
 
 /// By how much of the length of a joint its resultant may be beyond where it crushes, unless the tolerance of
-/// the solver asks for less.
+/// the solver requires less.
 constexpr double hingeTolerance = 1e-7;
 constexpr double looseHinges = 3e-3; ///< while other points are missing too
 
 /// How many times the points that joints in space have at their corners and hinges refining may make of them:
-/// then what is left is said beside the result.
+/// then what is left is reported with the result.
 constexpr std::size_t mostRefined = 20;
 constexpr std::size_t alwaysRefined = 2000; ///< points that it may make of few, too
 
@@ -41,9 +41,9 @@ bool addHinges(JointPoints<Dim>& joints, const std::vector<LimitAnalysis>& resul
     return addCrushingHinges(joints, forces, tolerance);
 }
 
-/// The same where joints crush beside collapse: under the dead load alone, which points carry that joints do
-/// not, or at the ends of the range in which a live load holds the structure up. Last of all, since their
-/// forces are often borne by what collapse has asked for.
+/// The same where joints crush apart from collapse: under the dead load alone, which points carry that joints
+/// do not, or at the ends of the range in which a live load holds the structure up. Last of all, since their
+/// forces are often borne by what collapse has required.
 template<int Dim>
 bool addOtherHinges(JointPoints<Dim>& joints, const std::vector<LimitAnalysis>& results, double tolerance)
 {
@@ -141,7 +141,7 @@ bool addPoints(LimitAnalysisCase<3>& structure, const std::vector<LimitAnalysis>
     const double exact = std::max(hingeTolerance, 10 * structure.solution.tolerance);
     const auto addAt = [&](double tolerance)
     { return structure.program.hasCrushing() && addHinges(joints, results, tolerance); };
-    // Hinges are lines and cost few points; what is left beside them is divided all over. Once joints are
+    // Hinges are lines and cost few points; what is left outside them is divided all over. Once joints are
     // twisted hinges need not be nearer than the rest.
     const std::optional<double> refinement = refinementTolerance(structure);
     bool isAny = addAt(std::max(exact, looseHinges));

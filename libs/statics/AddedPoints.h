@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Contact points that the answers of a limit analysis ask for: where joints crush or are twisted.
+/// Contact points that the answers of a limit analysis require: where joints crush or are twisted.
 #pragma once
 
 #include "statics/LimitAnalysisCase.h"

@@ -45,7 +45,7 @@ public:
     /// load.
     void takeStepsFromRest();
 
-    /// Whether the forces at the end of a path are asked for their mechanism where its own is none.
+    /// Whether a mechanism is sought for the forces at the end of a path where its own is none.
     bool takesMechanisms = false;
     /// Whether paths that have not led to a pair are repeated with a little dilatancy, until there is one.
     bool wedges = Forces == 2;
@@ -59,7 +59,7 @@ public:
     CoulombPair below; ///< the highest of those below zero
 
 private:
-    /// Forces and what they carry besides the dead load.
+    /// Forces and what they carry in addition to the dead load.
     struct Start
     {
         double alpha = 0;
@@ -71,7 +71,7 @@ private:
     ProgramSolver<Rows, Forces> solver();
     /// Of a program whose forces are nothing but a start.
     ConeSolution solveRoughly(const Program& program, double tolerance);
-    /// Tells the observer how far a start has been followed.
+    /// Reports to the observer how far a start has been followed.
     void report(int pieces, double multiplier) const;
     CollapsePair path(const Start& start, const CollapsePathSettings& settings);
     /// In [0, 1), the same on every machine.
@@ -90,7 +90,7 @@ private:
     /// Takes a pair, or one near it. \return whether there is one
     bool take(CoulombPair& pair);
     /// Where a stone slides between others nothing but rounding holds its motion across in the end of a path
-    /// in space: its forces are right, and they tell the mechanism. \return whether that is a pair
+    /// in space: its forces are right, and the mechanism follows from them. \return whether that is a pair
     bool takeMechanism(CoulombPair& pair);
     /// Takes the pair to its last digits, where it is near one. \return whether that is one
     bool refine(CoulombPair& pair);

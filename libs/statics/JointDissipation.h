@@ -37,7 +37,7 @@ std::vector<std::vector<double>> dissipatedLessByCell(const SpaceConeProgram& pr
                                                       const Eigen::VectorXd& mechanism);
 
 /// The same seen from the forces: by how much less work they do where stress can carry them. No mechanism
-/// tells of that where a joint opens at its points, as where it is twisted and slides on its corners: all its
+/// shows that where a joint opens at its points, as where it is twisted and slides on its corners: all its
 /// force is at the corners then, each of which stands for a quarter of the face. Of a part of area a round a
 /// vertex, with the stress bounded by N, a force c needs c_n / N at least, and as near to the vertex as may
 /// be, that is the part shrunk towards the vertex by sqrt(c_n / (N a)), with the centre q on the way to the

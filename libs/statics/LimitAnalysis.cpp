@@ -46,8 +46,8 @@ bool takeFall(LimitAnalysis& result, const ConeProgram<Rows, Forces>& dead, cons
     return true;
 }
 
-/// Keeps forces that joints have to bear besides those of collapse. Where none crush, points show that they
-/// do.
+/// Keeps forces that joints have to bear in addition to those of collapse. Where none crush, points show that
+/// they do.
 template<int Rows, int Forces>
 void keepOtherForces(LimitAnalysis& result, const ConeProgram<Rows, Forces>& program,
                      const Eigen::VectorXd& forces)

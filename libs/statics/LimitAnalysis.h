@@ -85,7 +85,7 @@ struct LimitAnalysis : SolverWork
     std::vector<Eigen::VectorXd> otherForces;
     std::string combination; ///< of loads that this is the answer for; empty where there is one only
     int position = -1;       ///< of a moving load, index into CaseLoads::positions; -1: it does not move
-    /// Of the live load reversed, as `multiplier negative;` asks for. Multipliers have the sign of the live
+    /// Of the live load reversed, as `multiplier negative;` requests. Multipliers have the sign of the live
     /// load as given, so that a collapse is mostly below zero, and bounds are bounds from the other side.
     bool isReversed = false;
     std::optional<CoulombRange>

@@ -61,9 +61,9 @@ struct LimitAnalysisCase
     PartUse partUse;       ///< once solved
     /// Searches that maximumTime has ended, those of all positions of a load too, once solved.
     int cutShort = 0;
-    Multiplier multiplier = Multiplier::positive;                  ///< which ends of the range are asked for
+    Multiplier multiplier = Multiplier::positive;                  ///< which ends of the range are requested
     std::optional<SupportMovement<Dim>> movement;                  ///< instead of a live load
-    std::optional<PushoverSettings> pushover;                      ///< the capacity curve is asked for
+    std::optional<PushoverSettings> pushover;                      ///< the capacity curve is requested
     CaseLoads<Dim> loads;                                          ///< with combinations those of the first
     std::vector<std::pair<std::string, LoadVectors>> combinations; ///< mostly none
     std::vector<PositionResult> envelope; ///< of a moving load, one for each of loads.positions, once solved

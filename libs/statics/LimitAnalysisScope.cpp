@@ -85,7 +85,7 @@ void requirePushover(const LimitAnalysisCase<Dim>& structure)
     }
 }
 
-/// Refuses what the case asks for and the plane does not have.
+/// Refuses what the case requests and the plane does not have.
 void requireAvailable(const LimitAnalysisCase<2>& structure)
 {
     if (structure.contact.jointPoints)
@@ -104,7 +104,7 @@ void requireAvailable(const LimitAnalysisCase<2>& structure)
     }
 }
 
-/// Refuses what the case asks for and space does not have.
+/// Refuses what the case requests and space does not have.
 void requireAvailable(const LimitAnalysisCase<3>& structure)
 {
     if (structure.contact.pointsPerJoint)

@@ -13,7 +13,7 @@ namespace drystone
 namespace
 {
 
-/// Paths besides those asked for, until one has met a pair.
+/// Paths in addition to those requested, until one has met a pair.
 constexpr int furtherStarts = 4;
 
 /// Where all starts so far have cost next to nothing (isCheap), others are followed, up to so many. In space,
@@ -187,7 +187,7 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
     }
     CollapseSearch<Rows, Forces> search(program, settings, solver, result);
     // Where the associative law has no collapse a program or two may prove that there is none, for which a
-    // search would try all its starts in vain.
+    // search would try all its starts without success.
     if (result.status == CollapseStatus::unbounded)
     {
         search.range.safe = safeMultiplier(program, solver, result);

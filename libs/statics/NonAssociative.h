@@ -31,7 +31,7 @@ struct NonAssociativeSettings
     double tolerance = 1e-6;                ///< on the residuals of a pair of forces and mechanism
     std::optional<double> maximumTime = {}; ///< of a search, on the clock [s]; none: any
     std::function<void(const CollapseProgress&)> observe = {}; ///< no key: called after each piece; or empty
-    std::function<bool()> isOver = {}; ///< no key: asked on the way, and the search ends there; or empty
+    std::function<bool()> isOver = {}; ///< no key: called on the way, and the search ends there; or empty
 };
 
 void declare(Options& options, NonAssociativeSettings& settings);

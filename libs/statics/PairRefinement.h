@@ -21,7 +21,7 @@ namespace drystone
 /// are closed, and it is found anew. Forces of points that stick may be beyond their limits: nearestPair
 /// (CoulombExchange.h) has those that are not.
 /// \param slidesFrom points whose slip is less than this share of the largest rate stick
-/// \param isOver asked before each step; may be empty
+/// \param isOver called before each step; may be empty
 /// \return whatever it ends with: judge it. None where a point crushes, which has no equations here, and
 /// where it is over
 template<int Rows, int Forces>

@@ -189,7 +189,7 @@ void PushoverPath<Dim>::setGaps()
 }
 
 /// Where the program is not solved: a shorter step, overlaps of the last steps that cannot all be undone left
-/// as they are, and in the end a coarser tolerance, which the certificate of the point tells.
+/// as they are, and in the end a coarser tolerance, which the certificate of the point shows.
 template<int Dim>
 void PushoverPath<Dim>::solvePosition()
 {

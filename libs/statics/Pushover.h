@@ -76,7 +76,7 @@ using PushoverObserver = std::function<void(const CapacityPoint&, const std::vec
 ///     max w alpha - g'c   subject to   A c = fD + alpha fL, c in the friction cones;   z = g - A'y,  fL'y =
 ///     w:
 ///
-/// alpha is what equilibrium asks for there, y moves the blocks on by finite rotations. The motion is taken
+/// alpha is what equilibrium requires there, y moves the blocks on by finite rotations. The motion is taken
 /// from a second program with A in the middle of the first one's step: a block that turns about a corner
 /// then keeps it to third order in the step. Gaps that remain are closed by the next step.
 /// The flow rule is the associative one: what slides rises. In space contacts are those of faces that face

@@ -85,7 +85,7 @@ std::vector<std::vector<Neighbour>> neighboursOf(const ConeProgram<Rows, Forces>
 /// Bodies in the order in which a live load probably reaches them, those first that it acts on: from body to
 /// body it has to overcome the forces that press them together, and so the way to a body is as long as the
 /// sum of these, along a row of a wall short, through its bed joints long.
-/// \param most bodies that are asked for
+/// \param most bodies that are requested
 std::vector<int> bodiesByDistance(const std::vector<std::vector<Neighbour>>& neighbours,
                                   const std::vector<char>& isLoaded, std::size_t most)
 {

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Where no answer comes, the support is pushed in a guide of rollers, which tells if it is locked in.
+/// Where no answer comes, the support is pushed in a guide of rollers, which shows whether it is locked in.
 #include "statics/Settlement.h"
 
 #include "conic/form/Form.h"

@@ -224,9 +224,9 @@ std::vector<LimitAnalysis> solveAllWithPoints(const LimitAnalysisCase<Dim>& stru
 }
 
 /// Solves until no joint bears more than it can, and more points would not make much of a difference. Where
-/// forces that are not unique ask for hinges at other places each time, that does not end: in space the last
-/// answers stay, since how much less whole faces carry is measured and said beside them. \return the answers;
-/// in the plane `notConverged` when it takes too long
+/// forces that are not unique require hinges at other places each time, that does not end: in space the last
+/// answers stay, since how much less whole faces carry is measured and reported with them. \return the
+/// answers; in the plane `notConverged` when it takes too long
 template<int Dim, class Solve>
 std::vector<LimitAnalysis> solveWithMorePoints(LimitAnalysisCase<Dim>& structure, const Solve& solve,
                                                Kept<Dim>& kept)

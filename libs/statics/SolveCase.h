@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The answers of a limit analysis as the case asks for them: ends of the range, positions of a load,
+/// The answers of a limit analysis as the case requests them: ends of the range, positions of a load,
 /// combinations, more points where joints need them, the capacity curve.
 #pragma once
 
@@ -19,11 +19,11 @@ namespace drystone
 template<int Dim>
 LimitAnalysis solveLimitAnalysis(LimitAnalysisCase<Dim>& structure);
 
-/// The capacity curve of a case that asks for one.
+/// The capacity curve of a case that requests one.
 template<int Dim>
 Pushover solvePushover(const LimitAnalysisCase<Dim>& structure, const PushoverObserver<Dim>& observe);
 
-/// One answer for each end of the range that the case asks for, the positive one first; for each combination
+/// One answer for each end of the range that the case requests, the positive one first; for each combination
 /// of loads in turn. Multipliers of the negative end have their sign. Of a moving load the answer of its
 /// worst position alone: the lowest multiplier, of equal ones the first; one without an answer, if there is
 /// any. \param structure gets points where joints crush, see solveLimitAnalysis; with a moving load the

@@ -15,13 +15,13 @@ namespace drystone
 ///
 ///     Mbar y + A c = f + alpha L,    y = (alpha - alpha*) y',    c = c* + (alpha - alpha*) c'.
 ///
-/// So two steps tell alpha*, with the forces c* and the mechanism y', which obey the law without inertia.
+/// So two steps give alpha*, with the forces c* and the mechanism y', which obey the law without inertia.
 /// Mbar only chooses among the mechanisms; it is that which the points of each body feel, sum_k A_k A_k'.
 ///
 /// \param given without crushing \param begins a live load beyond which motion is looked for, and below where
 /// there is any there \param forces for that load, or the dead one, to begin with \param isPair judges forces
-/// and mechanism \param factorisations those taken are added \param isOver asked on the way, which ends where
-/// it says so; may be empty \return the pair, L'y = 1; none where no step leads to one
+/// and mechanism \param factorisations those taken are added \param isOver called on the way, which ends
+/// where it says so; may be empty \return the pair, L'y = 1; none where no step leads to one
 template<int Rows, int Forces>
 std::optional<CoulombPair> pairFromRest(const ConeProgram<Rows, Forces>& given, double begins,
                                         const Eigen::VectorXd& forces,

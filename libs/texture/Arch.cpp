@@ -131,7 +131,7 @@ std::vector<Joint> jointsOf(const Arch& arch)
     return circularJoints(arch);
 }
 
-/// What the profile asks of the other keys.
+/// What the profile requires of the other keys.
 std::string profileFault(const Arch& arch)
 {
     const bool isCircular = arch.profile == ArchProfile::circular;
@@ -180,8 +180,8 @@ std::string profileFault(const Arch& arch)
     return {};
 }
 
-/// Of a pointed arch the intrados meets the axis before the centreline does: the joints beside the crown must
-/// not, or they cross it.
+/// Of a pointed arch the intrados meets the axis before the centreline does: the joints next to the crown
+/// must not, or they cross it.
 std::string crownFault(const Arch& arch)
 {
     const double inner = arch.radius - arch.thickness / 2;

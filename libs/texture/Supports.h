@@ -63,7 +63,8 @@ struct FixedZones
 
 void declare(Options& options, FixedZones& fixed);
 
-/// In space: fixed boxes beside those of the texture, pads and abutments that may settle each on its own.
+/// In space: fixed boxes in addition to those of the texture, pads and abutments that may settle each on its
+/// own.
 struct FixedBoxes
 {
     std::vector<std::pair<Vector<3>, Vector<3>>> blocks; ///< lower and upper corner of each [m]

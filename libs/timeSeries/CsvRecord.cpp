@@ -259,7 +259,7 @@ void addRow(const Table& table, std::size_t line, const Columns& columns, double
 }
 
 /// The unit that a title ends in without saying that it is one, as `acc_g`; empty: none.
-/// It is asked for and not taken: a_g is also the symbol of the acceleration of the ground.
+/// It is requested and not assumed: a_g is also the symbol of the acceleration of the ground.
 std::string unitAtEndOf(std::string_view title)
 {
     const std::vector<std::string_view> words = wordsBetween(title, " \t_-.,:");

@@ -50,7 +50,7 @@ public:
                                                    end, &length, state.data());
         if (status != GSL_SUCCESS || !(time > before))
         {
-            throw std::runtime_error("the integration tolerance asks for steps too short to advance time");
+            throw std::runtime_error("the integration tolerance requires steps too short to advance time");
         }
     }
 

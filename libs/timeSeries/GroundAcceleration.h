@@ -12,7 +12,7 @@
 namespace drystone
 {
 
-/// What a history asks of steps that begin at some time; infinite where it asks for nothing.
+/// What a history requires of steps that begin at some time; infinite where it requires nothing.
 struct StepBounds
 {
     double longest = std::numeric_limits<double>::infinity();    ///< that follows it [s]

@@ -75,7 +75,7 @@ struct FoundHeader
     std::size_t line = 0; ///< the last one
 };
 
-/// Looks through the first lines. DT stands beside NPTS or in the next line.
+/// Looks through the first lines. DT stands next to NPTS or in the next line.
 FoundHeader findHeader(const RecordText& text)
 {
     FoundHeader found;

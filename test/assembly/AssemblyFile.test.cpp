@@ -33,7 +33,7 @@ protected:
 
     void write(const std::string& text) { std::ofstream(assemblyFile(directory)) << text; }
 
-    /// What the user is told about a file with this text.
+    /// What is reported of a file with this text.
     std::string report(const std::string& text)
     {
         write(text);

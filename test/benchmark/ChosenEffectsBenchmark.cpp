@@ -3,8 +3,8 @@
 /// the effects that each step calls for, one after the other in one run. Walls and a house of space that
 /// stand under a ground that shakes below their multiplier, the house also under records; a wall of 100 x 100
 /// units of which stones on top fall, more and more of them, or a corner, larger and larger; columns of the
-/// plane and of space that rock; and the paper's wall 6 as it collapses by Coulomb's law, beside sets of
-/// effects chosen by hand.
+/// plane and of space that rock; and the paper's wall 6 as it collapses by Coulomb's law, compared with sets
+/// of effects chosen by hand.
 ///
 /// Columns: milliseconds of the processor a step of both, their ratio, the largest distance between the two
 /// motions at the end [m], the shares of the blocks that a step simulated and of the bodies that these were.
@@ -231,7 +231,7 @@ std::shared_ptr<const GroundAcceleration> likeARecord(double peak, unsigned seed
                                  OutOfBounds::zero);
 }
 
-/// A record of the folder shared/records beside the source, which not every copy has, scaled to a peak; or
+/// A record of the folder shared/records next to the source, which not every copy has, scaled to a peak; or
 /// null.
 std::shared_ptr<const GroundAcceleration> recordOfFile(const std::string& name, double peak)
 {
@@ -435,10 +435,10 @@ DynamicCase<2> collapsingWall(FlowRule flowRule)
     return scene;
 }
 
-/// Wall 6 collapsing by Coulomb's law, beside sets of effects that a user may choose by hand. \param 0:
-/// Coulomb's law and large displacements, all that the collapse calls for; 1: with restitution of nothing; 2:
-/// with the mildest damping; 3: without large displacements; 4: without Coulomb's correction. Of each set the
-/// time and how far it ends from `automatic`
+/// Wall 6 collapsing by Coulomb's law, compared with sets of effects that a user may choose by hand. \param
+/// 0: Coulomb's law and large displacements, all that the collapse calls for; 1: with restitution of nothing;
+/// 2: with the mildest damping; 3: without large displacements; 4: without Coulomb's correction. Of each set
+/// the time and how far it ends from `automatic`
 void collapseByCoulombsLaw(benchmark::State& state)
 {
     constexpr double timeStep = 0.002;

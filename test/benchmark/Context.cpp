@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Part of every benchmark: its head names the processor and the dense kernel beside what Google Benchmark
-/// says.
+/// Part of every benchmark: its head names the processor and the dense kernel in addition to what Google
+/// Benchmark says.
 #include "Context.h"
 #include "linear/DenseKernel.h"
 

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What everybody asks of a cone program: gaps, strengths and sizes, where they are stated and where not.
+/// What everybody reads of a cone program: gaps, strengths and sizes, where they are stated and where not.
 #include "conic/ConeProgram.h"
 
 #include "Stacks.h"

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Programs written and read: the same bit for bit, and faults told with file and line.
+/// Programs written and read: the same bit for bit, and faults reported with file and line.
 #include "conic/ProgramFile.h"
 #include "conic/InteriorPoint.h"
 #include "core/Error.h"

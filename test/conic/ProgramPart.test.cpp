@@ -10,7 +10,7 @@ namespace
 {
 
 /// Bodies of weight 1 on top of each other, each on two points at -1 and 1 of its lower face, with marks that
-/// tell where numbers came from. The first stands on the ground.
+/// show where numbers came from. The first stands on the ground.
 PlaneConeProgram markedStack(int bodies)
 {
     PlaneConeProgram program;

@@ -150,7 +150,7 @@ TEST(Strength, OfManyTimesTheWeightIsReached)
             EXPECT_LE(certify(program, crushed).worst(), tolerance);
             EXPECT_NEAR(crushed.multiplier, 6 * times - 2, 2 * tolerance * 6 * times);
 
-            // Held by its weight alone, before cohesion is asked for: h = 0.1, so that it overturns.
+            // Held by its weight alone, before cohesion is needed: h = 0.1, so that it overturns.
             const PlaneConeProgram glued = standingBlock(0.1, 0.5, {.cohesion = times});
             const ConeSolution turned = solveInteriorPoint(glued, {.tolerance = tolerance});
             EXPECT_EQ(turned.status, SolveStatus::optimal);

@@ -116,7 +116,7 @@ std::vector<Contestant> contestants()
              { return solveGaussSeidel(program, {}, {.tolerance = tolerance, .maximumIterations = 2000}); },
              true),
          1e-4, 1e-4});
-    // What a peer is asked is in its own terms, of residuals that it scales in its own way.
+    // What a peer has to solve is in its own terms, of residuals that it scales in its own way.
     const std::map<std::string, std::pair<double, double>> accuracies{{"GLPK", {1e-9, 1e-8}},
                                                                       {"Clp", {1e-9, 1e-8}},
                                                                       {"CVXOPT", {1e-9, 1e-6}},

@@ -314,7 +314,7 @@ TEST(Dictionary, WhatIsGivenTwiceInOnePlaceIsWarnedOf)
                 AllOf(HasSubstr("mu is given twice, first at line 3; the last one counts"),
                       HasSubstr("constant/x/friction/mu at line 4")));
     EXPECT_THAT(warned("live { a 1; }\nlive { b 2; }"), HasSubstr("taken together"));
-    // Overriding what comes from elsewhere is what merging is for, and it may be asked for.
+    // Overriding what comes from elsewhere is what merging is for, and it may be requested.
     EXPECT_EQ(warned("base { mu 0.65; }\nfriction { $base; mu 0.3; }"), "");
     EXPECT_EQ(warned("#inputMode merge\nmu 0.65;\nmu 0.3;"), "");
     EXPECT_EQ(warned("a { mu 1; }\nb { mu 1; }"), "");

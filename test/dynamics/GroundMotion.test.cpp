@@ -66,7 +66,7 @@ TEST(GroundMotion, SummaryNamesDirectionPeakAndDuration)
 
 TEST_F(GroundMotionTest, RowsThatARecordLacksAreQuestionedAndStillnessIsNot)
 {
-    // Waves of 1 m/s2 at 100 Hz for 0.4 s, with what is asked for in place of the rows from 0.1 to 0.3 s.
+    // Waves of 1 m/s2 at 100 Hz for 0.4 s, with what is requested in place of the rows from 0.1 to 0.3 s.
     const auto doubtsWithMiddle = [this](int leftOut, bool isStill)
     {
         std::ofstream rows(file);

@@ -86,7 +86,7 @@ TEST(Impact, TheLowestCourseThrownFromUnderAWallIsSolved)
 }
 
 // A block that fits between two walls and turns can not part from all four points of its sides at once, as
-// restitution asks for: it stops, and another block, which meets the ground, rebounds as if it was alone.
+// restitution requires: it stops, and another block, which meets the ground, rebounds as if it was alone.
 TEST(Impact, AWedgedBlockStopsAndTakesNoReboundFromOthers)
 {
     Assembly<2> assembly = scenes::ground(-1, 0, 2);

@@ -65,7 +65,7 @@ TEST(FreeFlight, AnAssemblyThatCollidesKeepsItsMomentum)
     }
 }
 
-// Steps of half of a block: which corner meets which edge is chosen where blocks are heading. Where that was
+// Steps of half of a block: which corner meets which edge is chosen where blocks move to. Where that was
 // wrong they passed through each other, by up to 0.23 m, and one got half as much energy again.
 TEST(FreeFlight, BlocksThrownAtEachOtherStepSoFarAsTheyCanBeFollowed)
 {

@@ -330,7 +330,7 @@ TEST(WallByCoulombsLaw, ConvergesAtFirstOrderInTheStep)
     EXPECT_NEAR((coarse - halved) / (halved - quartered), 2, 0.2);
 }
 
-// Joints closed but for rounding. Where forces press, the inertia had no digit left beside them in the Schur
+// Joints closed but for rounding. Where forces press, the inertia had no digit left next to them in the Schur
 // system before the interior point had ended: it lost the balance, began again from openings as small as the
 // rounding, and took 42 factorisations, or more than 60 and was not solved.
 TEST_P(PaperWall, TakesItsFirstStepWithFewFactorisations)

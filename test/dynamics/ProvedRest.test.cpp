@@ -602,7 +602,7 @@ TEST(ProvedRest, RandomTowersWithRestitutionOrBondsMoveAsWithEverythingOnByCoulo
     }
 }
 
-// Work on fewer bodies that was in vain, as points collide, does not count: from how much is left follows
+// Work on fewer bodies that led to nothing, as points collide, does not count: from how much is left follows
 // whether impacts are located.
 TEST(ProvedRest, AStepWithImpactsIsTheSameWhateverWasTriedBefore)
 {
@@ -627,7 +627,7 @@ TEST(ProvedRest, WallsWithImpactsThatWereNotSolvedAre)
 }
 
 // What once differed from everything on: by Coulomb's law blocks held by forces that nearly rigid points do
-// not carry, a block that slides on more points than its balance tells apart, steps that stick by forces at
+// not carry, a block that slides on more points than its balance distinguishes, steps that stick by forces at
 // the surface of their cones, and a structure at rest that need not be; by the associative law impacts of
 // which held blocks chose the points; and bodies at whose ends the error allowed in a gap is several times as
 // much.

@@ -208,7 +208,7 @@ TEST(StickingStep, ATowerOfThePlaneThatRocksIsOneBody)
     EXPECT_LE(motion.effectUse.largestDifference, scene.schemes.contactTolerance * scene.blockSize);
 }
 
-// Nothing meets while it turns; when its base comes down again, all blocks are asked.
+// Nothing meets while it turns; when its base comes down again, all blocks are considered.
 TEST(StickingStep, SoItIsWithRestitutionUntilItComesDown)
 {
     DynamicCase<2> scene = towerOfThePlane();

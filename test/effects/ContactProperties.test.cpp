@@ -33,7 +33,7 @@ protected:
 
     void write(const std::string& file, const std::string& text) { std::ofstream(directory / file) << text; }
 
-    /// What the user is told when `action` fails.
+    /// What is reported when `action` fails.
     template<class Action>
     std::string report(const Action& action)
     {

@@ -28,7 +28,7 @@ struct Way
     bool smallDisplacements = false;
     double theta = 1;
 
-    /// How near to a threshold it tells one side from the other.
+    /// How near to a threshold it distinguishes one side from the other.
     double margin() const { return std::max(1e-5, 10 * std::sqrt(tolerance)); }
 };
 

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Effects beside friction and impact: elastic contact points and damping, against closed forms.
+/// Effects in addition to friction and impact: elastic contact points and damping, against closed forms.
 #include "../dynamics/Scenes.h"
 #include "TakenSteps.h"
 

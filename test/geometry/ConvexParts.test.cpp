@@ -149,7 +149,7 @@ TEST(ConvexParts, ThereAreNoneWhereTheyWouldBeTooMany)
     EXPECT_TRUE(convexParts(prismOn(gear, 1), tolerance, 20).empty());
 }
 
-// Six decimals leave corners 5e-7 m beside their planes.
+// Six decimals leave corners 5e-7 m off their planes.
 TEST(ConvexParts, ARoundedBoxIsConvexToItsUnevenness)
 {
     Polyhedron box = turnedBy(makeBox({0, 0, 0}, {0.5, 0.3, 0.2}), oblique, Vector<3>(0, 0, 0));

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The dense kernels beside Eigen's products, of every shape that their tiles and slices meet.
+/// The dense kernels compared with Eigen's products, of every shape that their tiles and slices meet.
 #include "linear/DenseKernel.h"
 
 #include <Eigen/Core>

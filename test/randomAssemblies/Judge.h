@@ -72,7 +72,7 @@ public:
         return most;
     }
 
-    /// By how much a motion closes joints, or opens them less than sliding asks of the associative law.
+    /// By how much a motion closes joints, or opens them less than sliding does by the associative law.
     double outsideFlow(const Eigen::VectorXd& motion) const
     {
         double most = 0;

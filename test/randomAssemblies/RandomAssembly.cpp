@@ -91,7 +91,7 @@ Polygon cut(const Polygon& polygon, const Vector<2>& point, const Vector<2>& alo
         }
         if ((a > 0 && b < 0) || (a < 0 && b > 0))
         {
-            // From the same end whichever side asks, so that both parts get the same corner.
+            // From the same end for either side, so that both parts get the same corner.
             const bool isSwapped = a < 0;
             const Vector<2> p = isSwapped ? to : from, q = isSwapped ? from : to;
             const double u = isSwapped ? b : a, v = isSwapped ? a : b;

@@ -113,7 +113,7 @@ public:
     }
 
     /// What the points resist a motion with at most [W]; what it closes of points that bear any pressure, or
-    /// opens less than their sliding asks, is added to `against`.
+    /// opens less than their sliding requires, is added to `against`.
     double resistance(const Eigen::VectorXd& motion, double& against) const
     {
         double sum = 0;

@@ -240,7 +240,7 @@ TEST_F(TimeCase, BeginsBeforeTimeZero)
     EXPECT_THAT(writeTimes(time), ElementsAre("-0.1", "0", "0.1"));
 }
 
-// A run that tells its steps apart with more digits than timePrecision leaves such directories.
+// A run that distinguishes its steps with more digits than timePrecision leaves such directories.
 TEST_F(TimeCase, StartsFromADirectoryWithMoreDigitsThanTimePrecision)
 {
     for (const char* name : {"0", "1.201", "1.208571"})

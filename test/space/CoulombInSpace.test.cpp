@@ -22,7 +22,7 @@ void expectCoulomb(const SpaceConeProgram& program, const LimitAnalysis& result)
     EXPECT_LE(result.alpha, result.coulomb->associative * (1 + 1e-9));
 }
 
-/// Paths, refinement, steps from rest: each ends where it is asked to, and what was met before is left.
+/// Paths, refinement, steps from rest: each ends where it is requested to, and what was met before is left.
 void expectToEndAnywhere(const SpaceConeProgram& program)
 {
     const LimitAnalysis whole = solveNonAssociative(program);
@@ -174,7 +174,7 @@ TEST(CoulombInSpace, BoxesThatNoPathAnswersAreAnsweredByStepsFromRest)
 
 // In the first of these rows, as in some small walls that slide as a whole, every path ends without a
 // collapse.
-// A box of weight W between two walls is drawn upwards 0.09 m beside its centre: N = 0.09 P/0.3 on either
+// A box of weight W between two walls is drawn upwards 0.09 m off its centre: N = 0.09 P/0.3 on either
 // wall and P = W/(1 - 0.6 mu). By the associative law it wedges; that was said of Coulomb's, too.
 TEST(CoulombInSpace, ABoxIsDrawnOutOfASlotInWhichItWedgesByTheAssociativeLaw)
 {

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-// What joints dissipate over their faces, beside what they do at their points: the kinematic bound of the
-// mechanism that the points have.
+// What joints dissipate over their faces, compared with what they do at their points: the kinematic bound of
+// the mechanism that the points have.
 #include "statics/JointDissipation.h"
 #include "SpaceStructures.h"
 #include "statics/Settlement.h"
@@ -197,7 +197,7 @@ TEST(JointDissipation, ForcesAtTheCornersOfATwistedBoxAreNotCarriedByItsFace)
     const double mu = 0.5;
     const auto [assembly, loads, torsion] = twistedBox();
     const double weight = -loads.dead[2];
-    for (const double reserve : {1.0001, 1.5, 5.0, 100.0}) // strength over what the weight asks for
+    for (const double reserve : {1.0001, 1.5, 5.0, 100.0}) // strength over what the weight requires
     {
         const Stresses stresses{0, 0, reserve * weight};
         JointPoints<3> joints;

@@ -19,7 +19,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// Beside the tutorial that imports them, or beside the project.
+/// Next to the tutorial that imports them, or next to the project.
 fs::path pathOf(const std::string& file)
 {
     for (const char* folder :
@@ -37,7 +37,7 @@ fs::path pathOf(const std::string& file)
 struct Published
 {
     std::string file;
-    std::string texture; ///< keys besides `file`
+    std::string texture; ///< keys in addition to `file`
     std::string supports;
     double mu;
     int joints;

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Limit analysis with Coulomb's law: every collapse is checked as a pair of forces and mechanism, and the
-/// six walls are beside the lowest multipliers known.
+/// six walls are compared with the lowest multipliers known.
 #include "statics/NonAssociative.h"
 #include "Structures.h"
 
@@ -13,7 +13,7 @@ using namespace drystone;
 namespace
 {
 
-/// What the lowest collapse found is made of, asked of the program and not of the search.
+/// What the lowest collapse found is made of, by the program and not by the search.
 void expectCoulomb(const PlaneConeProgram& program, const LimitAnalysis& result)
 {
     // The mechanism comes with its largest entry 1: the live load's work scales it back.

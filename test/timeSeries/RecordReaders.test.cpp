@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Records in every dress they are met in, and broken ones. The six real records may not be redistributed:
-/// those tests look for them beside the checkout and skip where they are absent.
+/// those tests look for them next to the checkout and skip where they are absent.
 #include "core/Error.h"
 #include "timeSeries/Record.h"
 #include "timeSeries/Spectrum.h"

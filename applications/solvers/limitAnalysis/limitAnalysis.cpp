@@ -41,9 +41,9 @@ Vector<3> viewOf(const CommandLine& commandLine, int dimensions)
 ///
 ///     maximise   alpha   subject to   A0 c = fD + alpha fL,   |t| <= mu n,
 ///
-/// as often as the case asks for answers (SolveCase.h), and writes what it says. The multipliers of the first
-/// constraint are the mechanism. limitAnalysisProgram (LimitAnalysis.h) fills it in. \return whether there is
-/// an answer
+/// for each answer that the case requests (SolveCase.h), and writes what it says. The multipliers of the
+/// first constraint are the mechanism. limitAnalysisProgram (LimitAnalysis.h) fills it in. \return whether
+/// there is an answer
 template<int Dim>
 bool analyse(LimitAnalysisCase<Dim>& structure, const std::filesystem::path& directory,
              const AnswerPictures& pictures)

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The formats of exportBlocks in one list: beside its main, since they read more of a case than the library
-/// `import`, which has their writers.
+/// The formats of exportBlocks in one list: in the folder of its main, since they read more of a case than
+/// the library `import`, which has their writers.
 #pragma once
 
 #include "import/export/Unwritten.h"

@@ -24,7 +24,7 @@ double distanceFrom(const Block<2>& block, const Vector<2>& point)
 
 std::vector<double> placesToCut(const Block<2>& block, const Vector<2>& from, const Vector<2>& along)
 {
-    // At the edges, and beside the corners.
+    // At the edges, and near the corners.
     std::vector<double> places;
     const double length = along.norm();
     for (std::size_t i = 0; i < block.outline.size(); ++i)

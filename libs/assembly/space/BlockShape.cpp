@@ -23,7 +23,7 @@ double distanceFrom(const Block<3>& block, const Vector<3>& point)
 
 std::vector<double> placesToCut(const Block<3>& block, const Vector<3>& from, const Vector<3>& along)
 {
-    // At the planes of the faces, and beside the corners.
+    // At the planes of the faces, and near the corners.
     std::vector<double> places;
     for (const Vector<3>& vertex : block.shape.vertices)
     {

@@ -21,7 +21,7 @@ struct CollapsePathSettings
     int maximumPieces = 0;
     /// Called after each piece with their number so far and the multiplier there. May be empty.
     std::function<void(int pieces, double multiplier)> observe = {};
-    std::function<bool()> isOver = {}; ///< asked before each piece: the path ends there. May be empty
+    std::function<bool()> isOver = {}; ///< called before each piece: the path may end there. May be empty
 };
 
 /// Where a path leads.
@@ -31,7 +31,7 @@ enum class PathEnd
     fall,       ///< a pair on whose mechanism it does none: the dead load alone drives it
     reversed,   ///< a pair on whose mechanism it does negative work
     unfinished, ///< the pieces are used up, rounding ends the path, or the load grows without limit
-    stopped     ///< as `isOver` has asked for
+    stopped     ///< as `isOver` has requested
 };
 
 /// A pair of forces and mechanism that obey Coulomb's law without dilatancy:
@@ -55,7 +55,7 @@ struct CollapsePair
 ///
 ///     A c(w) = f + alpha L,    c_n = w_n between -T and N,    c_t = w_t cut off at C + mu c_n:    (1)
 ///
-/// as many equations as v has entries, and alpha besides. Their solutions are a path from v = 0. It ends
+/// as many equations as v has entries, and alpha in addition. Their solutions are a path from v = 0. It ends
 /// where v grows without limit: forces are bounded there, so that k A'v can grow only in the directions that
 /// c(w) does not follow: opening, slip at its limit, crushing. The final direction of v is a mechanism, and
 /// it and the final forces are a pair. Elasticity, which chooses among the pairs, has no part in it.

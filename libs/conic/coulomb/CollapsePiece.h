@@ -55,7 +55,7 @@ struct CollapsePiece
     {
         if constexpr (shears == 1)
         {
-            return std::abs(w[1]); // no root: each piece of a path asks all points
+            return std::abs(w[1]); // no root: each piece of a path evaluates all points
         }
         return w.template tail<shears>().norm();
     }

@@ -22,7 +22,7 @@ constexpr int mostEnds(int forces)
     return forces > 2 ? 30 : 4;
 }
 
-/// In space a path that goes back so far in t has left where its tangents tell anything.
+/// In space a path that goes back so far in t has left where its tangents mean anything.
 constexpr double farthestBack = -0.2;
 
 /// A path that is no farther in t than this has not left its start.

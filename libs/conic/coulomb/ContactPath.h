@@ -22,7 +22,7 @@ struct ContactPathSettings
     /// or nearly slide.
     int maximumPivotsAtStart = std::numeric_limits<int>::max();
     int maximumFactorisations = std::numeric_limits<int>::max(); ///< of all calls
-    /// Asked before each change of state: where it says so the solution is not reached. May be empty.
+    /// Called before each change of state: where it is true the solution is not reached. May be empty.
     std::function<bool()> isOver = {};
 };
 

@@ -26,7 +26,7 @@ namespace drystone
 /// with B = A R. The columns of R are
 /// - in the plane the edges of the friction cone |t| <= mu n, (1, mu) and (1, -mu) over sqrt(1 + mu2): rays;
 /// - in space T = diag(1, mu, mu) / sqrt(1 + mu2): one round cone;
-/// - without friction the normal alone: a ray. One with a large friction has a ray along its normal besides,
+/// - without friction the normal alone: a ray. One with a large friction has a ray along its normal as well,
 ///   which its cone contains anyhow but which keeps the system well-conditioned.
 ///
 /// A point with a Strength has the set -T <= c_n <= N, |c_t| <= C + mu c_n. Tension shifts its origin c0 to

@@ -11,7 +11,7 @@ namespace drystone
 namespace
 {
 
-/// Whether a point, of a program without strength, has a ray along its normal besides its cone.
+/// Whether a point, of a program without strength, has a ray along its normal in addition to its cone.
 template<int Rows>
 bool hasNormalRay(const Form<Rows>& form, std::size_t point)
 {

@@ -190,7 +190,7 @@ ColumnOf<Rows, Scalar> limitedDifference(const Form<Rows>& form, const typename 
               + columns.col(2).template cast<Scalar>() * direction[1]);
 }
 
-/// B D e of a limit, and e'D e: the column beside the diagonal of its row.
+/// B D e of a limit, and e'D e: the column off the diagonal of its row.
 template<int Rows, class Scalar>
 struct LimitColumn
 {
@@ -274,7 +274,7 @@ void assembleSchur(const Form<Rows>& form, const ConeWeights<Scalar>& d, double 
     }
 }
 
-/// With p = e^2 sum d + d_w on the diagonal of a limit's row and h = e B d beside it, the bodies' part of
+/// With p = e^2 sum d + d_w on the diagonal of a limit's row and h = e B d off it, the bodies' part of
 /// [S h; h' p] (y, v) = (right, r) is (S - h h'/p) y = right - h r/p, and v = (r - h'y) / p.
 template<int Rows, class Scalar>
 void solveWithLimits(const Form<Rows>& form, const ConeWeights<Scalar>& d, SchurSystem<Rows, Scalar>& system,

@@ -11,7 +11,7 @@
 namespace drystone
 {
 
-/// Friction from which a point gets a ray along the normal besides its cone, which has hardly a normal
+/// Friction from which a point gets a ray along the normal in addition to its cone, which has hardly a normal
 /// component where mu is large: a force along the normal is then the difference of forces mu times as large,
 /// and their openings are those of slip alone. Points with strength do without, since a limit to crushing
 /// needs equal normal components.

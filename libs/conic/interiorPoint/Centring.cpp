@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The pulls of the corrections towards the central path: what they ask for in each ray and cone.
+/// The pulls of the corrections towards the central path: what they request in each ray and cone.
 #include "conic/interiorPoint/Centring.h"
 
 #include "core/Threads.h"
@@ -9,14 +9,15 @@ namespace drystone
 namespace
 {
 
-/// What the product of a ray at the end of a step becomes larger by for each unit that is asked for in c. In
+/// What the product of a ray at the end of a step becomes larger by for each unit that is requested in c. In
 /// Newton's equations, the other cones aside, c changes s by (1 - p) c/z and z by p c/s, where p = D b'S^-1 b
 /// is the leverage of the ray, and so (s + ds)(z + dz) by c times
 ///     (1 - p) (z + dz)/z + p (s + ds)/s.
-/// Where the one grows to three times what it was and drives the other below zero, asking for what is missing
-/// moves the product too far, and where it shrinks, not far enough: the corrections then end after a few,
-/// their steps short. The p of all rays are the rows of the bodies together, which is about half for those
-/// that press, and nothing for those that are open: p = s / (2 (s + z)), so that the sum is (z (s + ds) + (s
+/// Where the one grows to three times what it was and drives the other below zero, a request for what is
+/// missing moves the product too far, and where it shrinks, not far enough: the corrections then end after a
+/// few, their steps short. The p of all rays are the rows of the bodies together, which is about half for
+/// those that press, and nothing for those that are open: p = s / (2 (s + z)), so that the sum is (z (s + ds)
+/// + (s
 /// + 2z)(z + dz)) / (2z (s + z)). Its root is taken, since other rays answer too.
 /// \return an expression of parts of vectors, which must outlive it
 template<class Part>
@@ -80,7 +81,7 @@ void pullRays(const State<Rows, double>& state, const ConeScaling<double>& scali
              });
 }
 
-/// The pulls of the round cones. \param ask (lambda, ds, dz) of a pack, scaled: what is asked for in its
+/// The pulls of the round cones. \param ask (lambda, ds, dz) of a pack, scaled: what is requested in its
 /// products
 template<class Scalar, class Ask>
 void pullRounds(const ConeRanges& cones, const ConeScaling<Scalar>& scaling, const ScaledStep<Scalar>& scaled,

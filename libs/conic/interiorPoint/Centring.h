@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// How one factorisation is used: which products s o z the correctors ask for. Internal to the interior
+/// How one factorisation is used: which products s o z the correctors request. Internal to the interior
 /// point.
 #pragma once
 
@@ -9,7 +9,7 @@ namespace drystone
 {
 
 /// Mehrotra (1992) aims at sigma mu, where sigma is the cube of what the predictor would leave of mu. Each of
-/// Gondzio's (1996) correctors asks for steps so much longer than the last one allows, and pulls the products
+/// Gondzio's (1996) correctors requests steps so much longer than the last one allows, and pulls the products
 /// s o z at their end into a box about an aim of its own. Unlike there a corrector is taken even if it
 /// shortens the step, but not to less than a part: what it does for the centring pays at the next iterate.
 struct Centring

@@ -16,7 +16,7 @@ namespace drystone
 enum class Sought
 {
     solution, ///< the live load does one unit of work on the displacements: a mechanism
-    farther,  ///< likewise, where a large multiplier is no reason to ask whether there is a largest one
+    farther,  ///< likewise, where a large multiplier is no reason to find out whether there is a largest one
     fall,   ///< displacements that prove that nothing balances the loads; the live load does no work on them
     carried ///< forces that carry the live load alone, which prove that there is no largest multiplier
 };

@@ -14,7 +14,7 @@ namespace drystone
 namespace
 {
 
-/// Iterations that begin near a solution, or inside, end soon or not at all; steps shorter than so much tell
+/// Iterations that begin near a solution, or inside, end soon or not at all; steps shorter than so much show
 /// early that they will not.
 constexpr int mostFromNear = 30;
 constexpr int mostShortSteps = 3;
@@ -250,7 +250,7 @@ std::optional<Ending> InteriorPointLoop<Rows, Scalar>::findEnd(Passed whatIsPass
     return iteration == mostIterations ? std::optional(Ending::tooManyIterations) : std::nullopt;
 }
 
-/// Steps in time end where D = s^2/mu of forces that press leaves no digit to the inertia beside it in the
+/// Steps in time end where D = s^2/mu of forces that press leaves no digit to the inertia added to it in the
 /// Schur system. From the last iterate that was balanced a compliance of the cones bounds D.
 template<int Rows, class Scalar>
 void InteriorPointLoop<Rows, Scalar>::keepBalance()
@@ -317,7 +317,7 @@ double InteriorPointLoop<Rows, Scalar>::centre(const Centring& centring)
     const double muAfter = state.complementarityOf(state.at.s + Scalar(primalHere) * step.s,
                                                    state.at.z + Scalar(dualHere) * step.z);
     // Complementarity must not run ahead of the balance, or the balance can no longer be repaired: no further
-    // than the tolerance asks.
+    // than the tolerance requires.
     const double enough =
         0.02 * state.settings.tolerance * state.objectiveSize() / static_cast<double>(state.cones.degree());
     const double sigma =

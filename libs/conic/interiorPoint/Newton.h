@@ -8,7 +8,7 @@
 namespace drystone
 {
 
-/// What an iterate's rounding asks for in the arithmetic it is done in.
+/// What an iterate's rounding requires in the arithmetic it is done in.
 struct Regularisation
 {
     double proximal;        ///< on the diagonal of the scaled Schur system

@@ -9,7 +9,7 @@ namespace drystone
 {
 
 /// Steps beyond the optimality conditions' own, which is 1, are not needed; knowing that they could be taken
-/// tells that 1 is safe.
+/// shows that 1 is safe.
 constexpr double farthestStep = 1.02;
 
 /// A step from x as the cones see it: dx of the rays, and of the round cones from lambda, scaled.

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// What the iterations of the interior point did: a line for each, why they ended, and the time of each
-/// phase. Part of the interior point's interface: solvers fill it in where a caller asks for it.
+/// phase. Part of the interior point's interface: solvers fill it in where a caller requests it.
 #pragma once
 
 #include <array>

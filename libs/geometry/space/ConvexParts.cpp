@@ -148,7 +148,7 @@ Cell cellBehind(const Cell& cell, const Plane& plane, double tolerance)
                 onPlane.push_back(corner);
             }
         }
-        // What is left of a facet beside the plane is a corner or an edge of it.
+        // What is left of a facet next to the plane is a corner or an edge of it.
         if (corners.size() > 2 && widthOf(corners) > 0.5 * tolerance)
         {
             kept.push_back({facet.plane, std::move(corners)});

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Whether vertices and faces make a solid: what the readers of polyhedra ask, so that all else may rely on
+/// Whether vertices and faces make a solid: what the readers of polyhedra check, so that all else may rely on
 /// it.
 #pragma once
 

@@ -33,7 +33,7 @@ enum class WrittenThickness
     all   ///< blocks are solids
 };
 
-/// What a format holds of an assembly besides the shapes of blocks and which of them are fixed.
+/// What a format holds of an assembly apart from the shapes of blocks and which of them are fixed.
 struct WrittenProperties
 {
     WrittenZones zones = WrittenZones::first;

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The edges of a mesh with the faces at each: what parting, turning and merging ask for.
+/// The edges of a mesh with the faces at each: what parting, turning and merging need.
 #pragma once
 
 #include "geometry/space/Polyhedron.h"

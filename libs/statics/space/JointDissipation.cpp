@@ -223,7 +223,7 @@ std::vector<std::vector<VertexPart>> partsOfVertices(const PatchCells& patch,
     return parts;
 }
 
-/// Adds to cells by how much less work a force does where stress can carry it, beside its vertex: first in
+/// Adds to cells by how much less work a force does where stress can carry it, off its vertex: first in
 /// the parts where it does the most. \param used share of what the vertex bears
 void addCarriedLess(std::vector<VertexPart> parts, const Vector<3>& force, double used,
                     std::vector<double>& ofCells)

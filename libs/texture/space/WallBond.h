@@ -18,7 +18,7 @@ struct Brick
     Interval across;
 };
 
-/// What the bond asks of unit, lengths and leaves, as a message; empty when all is well.
+/// What the bond requires of unit, lengths and leaves, as a message; empty when all is well.
 std::string bondFault(const Walls& walls);
 
 /// Length of a wall of so many bricks [m].

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Doors and windows of the texture `walls` beside each other and where walls meet.
+/// Doors and windows of the texture `walls` next to each other and where walls meet.
 #pragma once
 
 #include "texture/space/WallPlan.h"
