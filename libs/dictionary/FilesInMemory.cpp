@@ -2,6 +2,7 @@
 /// The texts, and the dictionaries read from them.
 #include "dictionary/FilesInMemory.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace drystone
@@ -54,6 +55,14 @@ void FilesInMemory::set(const std::filesystem::path& file, std::string text)
     texts[name] = std::move(text);
 }
 
+bool FilesInMemory::isIncluded(const std::filesystem::path& file) const
+{
+    const std::string name = nameOf(file);
+    return std::any_of(dictionaries.begin(), dictionaries.end(),
+                       [&](const auto& kept)
+                       { return kept.first != name && kept.second.sources.contains(name); });
+}
+
 FilesInMemory* FilesInMemory::current()
 {
     return ofThisThread();
@@ -79,7 +88,8 @@ void FilesInMemory::keep(const std::filesystem::path& file, const Dictionary& di
 
 bool isInMemory(const std::filesystem::path& file)
 {
-    return ofThisThread() && ofThisThread()->textOf(file);
+    const FilesInMemory* files = ofThisThread();
+    return files && (files->textOf(file) || files->find(file));
 }
 
 } // namespace drystone

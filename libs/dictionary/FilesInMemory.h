@@ -28,6 +28,9 @@ public:
     /// From now on the file says this.
     void set(const std::filesystem::path& file, std::string text);
 
+    /// Whether another dictionary that is kept was read from it too.
+    bool isIncluded(const std::filesystem::path& file) const;
+
     // For the reader of dictionaries.
     static FilesInMemory* current();                                    ///< nullptr where there is none
     const std::string* textOf(const std::filesystem::path& file) const; ///< nullptr: see the disk
@@ -58,7 +61,7 @@ private:
     FilesInMemory* hidden;
 };
 
-/// Whether a file has a text in memory: it then need not be on the disk.
+/// Whether a file has a text in memory, so that it need not be on the disk, or was read from there before.
 bool isInMemory(const std::filesystem::path& file);
 
 } // namespace drystone

@@ -237,6 +237,36 @@ struct SamplesInProcess::Cases
         return readLimitAnalysisCase<2>(ensemble.caseDirectory, soundOf<2>(dictionary));
     }
 
+    /// Likewise, by what the samples differ in alone where that is contact properties: of a structure that
+    /// has been read for another sample.
+    std::optional<LimitAnalysisCase<2>> readAlike()
+    {
+        if (!alike.empty())
+        {
+            LimitAnalysisCase<2> structure = std::move(alike.back());
+            alike.pop_back();
+            if (readContactAnew(structure, ensemble.caseDirectory))
+            {
+                return structure;
+            }
+        }
+        return readPlane();
+    }
+
+    /// Keeps a structure that has been analysed, and not changed meanwhile, for other samples.
+    void keepAlike(LimitAnalysisCase<2>& structure)
+    {
+        constexpr const char* contactFile = "constant/contactProperties";
+        const auto& variables = ensemble.settings.variables;
+        if (std::all_of(variables.begin(), variables.end(),
+                        [&](const Named<EnsembleVariable>& variable)
+                        { return variable.second.place.file == contactFile; })
+            && !files.isIncluded(ensemble.caseDirectory / contactFile))
+        {
+            alike.push_back(std::move(structure));
+        }
+    }
+
     /// The structures of several samples. \param read gets the numbers of those without a fault
     std::vector<LimitAnalysisCase<2>> readAll(const std::vector<std::vector<SampleValue>>& samples,
                                               std::vector<std::size_t>& read)
@@ -248,7 +278,7 @@ struct SamplesInProcess::Cases
             setEntries(samples[i]);
             try
             {
-                if (std::optional<LimitAnalysisCase<2>> structure = readPlane())
+                if (std::optional<LimitAnalysisCase<2>> structure = readAlike())
                 {
                     structures.push_back(std::move(*structure));
                     read.push_back(i);
@@ -297,6 +327,10 @@ struct SamplesInProcess::Cases
             {
                 finish(structures[i], answers[i]);
                 outcomes[read[i]] = outcomeOf(results);
+                if (answers[i])
+                {
+                    keepAlike(structures[i]);
+                }
             }
             catch (const NotConverged&)
             {
@@ -460,6 +494,7 @@ struct SamplesInProcess::Cases
     SymbolicAnalysis symbolic; ///< of the last limit analysis: most samples have the same blocks touch
     LaneSolver lanes;          ///< likewise
     bool hasReferences = false;
+    std::vector<LimitAnalysisCase<2>> alike; ///< read for other samples
     std::vector<double> results;
 };
 

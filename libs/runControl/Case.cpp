@@ -51,12 +51,12 @@ void requireCase(const fs::path& caseDirectory)
 
 fs::path requireCaseFile(const fs::path& caseDirectory, const fs::path& file, const std::string& repair)
 {
-    requireCase(caseDirectory);
     fs::path path = (caseDirectory / file).lexically_normal();
     if (isInMemory(path))
     {
         return path;
     }
+    requireCase(caseDirectory);
     std::error_code ignored;
     if (!fs::exists(path, ignored))
     {

@@ -61,6 +61,17 @@ std::vector<PointLaw> setContactPoints(LimitAnalysisCase<3>& structure)
     return pointLaws(structure.contact, structure.assembly, structure.points, areasOf(structure.patches));
 }
 
+std::vector<double> frictionsOf(const std::vector<PointLaw>& laws)
+{
+    std::vector<double> frictions;
+    frictions.reserve(laws.size());
+    for (const PointLaw& law : laws)
+    {
+        frictions.push_back(law.mu);
+    }
+    return frictions;
+}
+
 /// Empty where no point has any: cones cost less.
 std::vector<Strength> strengthsOf(const std::vector<PointLaw>& laws)
 {
@@ -179,10 +190,7 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
     }
 
     const std::vector<PointLaw> laws = setContactPoints(result);
-    for (const PointLaw& law : laws)
-    {
-        result.friction.push_back(law.mu);
-    }
+    result.friction = frictionsOf(laws);
     result.freeBlocks = static_cast<int>(loads.dead.size()) / freedomCount<Dim>;
     result.loads = loads;
     result.movement = loads.movement;
@@ -190,6 +198,22 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
     result.multiplier = loads.multiplier;
     requireInScope(result);
     return result;
+}
+
+bool readContactAnew(LimitAnalysisCase<2>& structure, const std::filesystem::path& caseDirectory)
+{
+    ContactProperties contact = readContactProperties(caseDirectory);
+    if (contact.pointsPerJoint != structure.contact.pointsPerJoint)
+    {
+        return false;
+    }
+    structure.contact = std::move(contact);
+    const std::vector<PointLaw> laws = pointLaws(structure.contact, structure.assembly, structure.points);
+    structure.friction = frictionsOf(laws);
+    structure.program.friction = structure.friction;
+    structure.program.strength = strengthsOf(laws);
+    requireInScope(structure);
+    return true;
 }
 
 template<int Dim>

@@ -103,6 +103,10 @@ template<int Dim>
 LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDirectory,
                                              SoundStructure<Dim> blocks, std::optional<int> jointPoints = {});
 
+/// Gives a structure of the plane, as it was read, the contact properties that the case has now: a tenth of
+/// reading it anew. \return false where its points are others \throws as readLimitAnalysisCase
+bool readContactAnew(LimitAnalysisCase<2>& structure, const std::filesystem::path& caseDirectory);
+
 /// The program of the points that the structure has. \param strengths of each point, or empty
 template<int Dim>
 StaticProgram<Dim> programOf(const LimitAnalysisCase<Dim>& structure, std::vector<Strength> strengths);

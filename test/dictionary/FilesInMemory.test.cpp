@@ -71,3 +71,32 @@ TEST(FilesInMemory, HaveFaultsLikeOthers)
     EXPECT_THROW(Dictionary::readFile(folder / "a"), FatalIOError);
     EXPECT_THROW(Dictionary::readFile(folder / "b"), FatalIOError);
 }
+
+TEST(FilesInMemory, NeedNotBeOnTheDiskOnceTheyWereRead)
+{
+    const auto folder = folderOf("Read");
+    write(folder / "a", "x 1;");
+    FilesInMemory files;
+    EXPECT_FALSE(isInMemory(folder / "a"));
+    EXPECT_EQ(Dictionary::readFile(folder / "a").get<int>("x"), 1);
+    EXPECT_TRUE(isInMemory(folder / "a"));
+    std::filesystem::remove(folder / "a");
+    EXPECT_EQ(Dictionary::readFile(folder / "a").get<int>("x"), 1);
+}
+
+TEST(FilesInMemory, KnowWhichOfThemOthersWereReadFrom)
+{
+    const auto folder = folderOf("Included");
+    write(folder / "inner", "x 1;");
+    write(folder / "outer", "#include \"inner\"\ny $x;");
+    write(folder / "other", "z 1;");
+    FilesInMemory files;
+    EXPECT_FALSE(files.isIncluded(folder / "inner"));
+    Dictionary::readFile(folder / "inner");
+    Dictionary::readFile(folder / "other");
+    EXPECT_FALSE(files.isIncluded(folder / "inner"));
+    Dictionary::readFile(folder / "outer");
+    EXPECT_TRUE(files.isIncluded(folder / "." / "inner"));
+    EXPECT_FALSE(files.isIncluded(folder / "outer"));
+    EXPECT_FALSE(files.isIncluded(folder / "other"));
+}

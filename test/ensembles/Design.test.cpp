@@ -403,3 +403,22 @@ TEST(Sampler, RefusesWhatIsImpossible)
     EXPECT_THAT(faultOf(two + "design { type randm; samples 5; }"), HasSubstr("Did you mean random?"));
     EXPECT_EQ(faultOf(two + design), "");
 }
+
+TEST(Sampler, ValuesSpreadOverTheRangesDependOnNeitherDesignNorSize)
+{
+    const std::string two =
+        variables({"type uniform; minimum 0; maximum 1;", "type uniform; minimum 0; maximum 1;"});
+    const auto spread = samplerOf(two + "design { type latinHypercube; samples 10; seed 1; }").spread(16);
+    const auto other = samplerOf(two + "design { type random; samples 77; seed 5; }").spread(16);
+    ASSERT_EQ(spread.size(), 16U);
+    for (std::size_t variable = 0; variable < 2; ++variable)
+    {
+        std::set<int> eighths; // none of them is left out
+        for (std::size_t i = 0; i < spread.size(); ++i)
+        {
+            EXPECT_EQ(spread[i][variable].number, other[i][variable].number);
+            eighths.insert(static_cast<int>(8 * spread[i][variable].number));
+        }
+        EXPECT_EQ(eighths.size(), 8U);
+    }
+}
