@@ -6,6 +6,7 @@
 #include "core/WholeFile.h"
 #include "dictionary/NamesIn.h"
 #include "ensembles/CaseRuns.h"
+#include "ensembles/SampleCase.h"
 #include "ensembles/SamplesInProcess.h"
 #include "ensembles/WrittenTables.h"
 #include "functionObjects/ColumnFile.h"

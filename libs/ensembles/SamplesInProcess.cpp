@@ -1,18 +1,12 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Sets entries in texts in memory; blocks and symbolic analysis are kept from sample to sample.
+/// The applications of an ensemble, one after the other, on the case of each sample.
 #include "ensembles/SamplesInProcess.h"
 
 #include "assembly/AssemblyFile.h"
-#include "assembly/AssemblyOrigin.h"
 #include "conic/form/Form.h"
-#include "contact/ClosedAssembly.h"
-#include "contact/JointClosure.h"
-#include "core/WholeFile.h"
-#include "dictionary/DictionaryEdit.h"
-#include "dictionary/FilesInMemory.h"
-#include "dictionary/Fingerprint.h"
 #include "dynamics/Advance.h"
 #include "ensembles/IncrementalDynamicsCase.h"
+#include "ensembles/SampleCase.h"
 #include "functionObjects/MotionResults.h"
 #include "quantities/LimitAnalysisFigures.h"
 #include "quantities/TableLine.h"
@@ -24,9 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
-#include <tuple>
 
 namespace drystone
 {
@@ -39,26 +31,7 @@ namespace
 /// As many as take the time of some ten samples each process; twice as many save a tenth of the iterations.
 constexpr int references = 16;
 
-constexpr const char* textureFile = "system/blockTextureDict";
-
-/// The blocks of the last sample, and the fingerprint of the dictionary that they are made of.
-template<int Dim>
-struct KeptStructure
-{
-    std::uint64_t key = 0;
-    std::optional<SoundStructure<Dim>> blocks;
-};
-
 } // namespace
-
-std::string entryText(const SampleValue& value)
-{
-    const bool isPlain =
-        !std::isnan(value.number)
-        || std::all_of(value.text.begin(), value.text.end(),
-                       [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
-    return isPlain ? value.text : fmt::format("\"{}\"", value.text);
-}
 
 SampleOutcome outcomeOf(std::vector<double> results)
 {
@@ -69,16 +42,19 @@ SampleOutcome outcomeOf(std::vector<double> results)
 
 struct SamplesInProcess::Cases
 {
-    explicit Cases(const Ensemble& of) : ensemble(of), results(of.settings.results.size(), std::nan("")) {}
+    explicit Cases(const Ensemble& of)
+        : ensemble(of), sampleCase(of), results(of.settings.results.size(), std::nan(""))
+    {
+    }
 
     std::vector<double> run(const std::vector<SampleValue>& values)
     {
         beginFromReferences();
         std::fill(results.begin(), results.end(), std::nan(""));
-        setEntries(values);
+        sampleCase.setEntries(values);
         if (runs("blockTexture"))
         {
-            const Dictionary dictionary = Dictionary::readFile(ensemble.caseDirectory / textureFile);
+            const Dictionary dictionary = sampleCase.dictionaryOfBlocks();
             dimensionsOf(dictionary) == 3 ? runBuilt<3>(dictionary) : runBuilt<2>(dictionary);
         }
         else
@@ -88,85 +64,18 @@ struct SamplesInProcess::Cases
         return results;
     }
 
-    void setEntries(const std::vector<SampleValue>& values)
-    {
-        std::map<std::string, std::string> changed;
-        for (std::size_t k = 0; k < values.size(); ++k)
-        {
-            const CaseEntry& place = ensemble.settings.variables[k].second.place;
-            auto [text, isNew] = changed.try_emplace(place.file);
-            if (isNew)
-            {
-                text->second = original(place.file);
-            }
-            text->second = withEntrySet(text->second, place.file, place.entry, entryText(values[k]));
-        }
-        for (auto& [file, text] : changed)
-        {
-            files.set(ensemble.caseDirectory / file, std::move(text));
-        }
-    }
-
-    const std::string& original(const std::string& file)
-    {
-        const auto [text, isNew] = originals.try_emplace(file);
-        if (isNew)
-        {
-            text->second = contentOfFile(ensemble.caseDirectory / file);
-        }
-        return text->second;
-    }
-
     bool runs(const std::string& application) const { return ensemble.settings.runs(application); }
-
-    /// The blocks of a dictionary, of a texture or of an assembly, with their contact points. Most samples
-    /// differ in properties or loads, not in blocks: those of the last sample are kept.
-    template<int Dim>
-    const SoundStructure<Dim>& soundOf(const Dictionary& dictionary)
-    {
-        auto& [key, blocks] = std::get<KeptStructure<Dim>>(kept);
-        const std::uint64_t wanted = fingerprint(dictionary);
-        if (!blocks || key != wanted)
-        {
-            blocks.reset(); // also where those of the dictionary are refused
-            blocks = soundStructure(ensemble.caseDirectory, assemblyOf<Dim>(dictionary));
-            key = wanted;
-        }
-        return *blocks;
-    }
-
-    /// Joints closed.
-    template<int Dim>
-    Assembly<Dim> assemblyOf(const Dictionary& dictionary) const
-    {
-        if (!runs("blockTexture"))
-        {
-            return readAssembly<Dim>(ensemble.caseDirectory);
-        }
-        Assembly<Dim> assembly = makeStructure<Dim>(dictionary);
-        closeJoints(assembly);
-        return assembly;
-    }
-
-    /// Has the case the blocks of a texture.
-    template<int Dim>
-    void build(const Dictionary& dictionary)
-    {
-        const fs::path& directory = ensemble.caseDirectory;
-        files.set(assemblyFile(directory),
-                  assemblyText(makeStructure<Dim>(dictionary), originOf(directory / textureFile, directory)));
-    }
 
     template<int Dim>
     void runBuilt(const Dictionary& dictionary)
     {
         if (runs("contactDynamics") || runs("incrementalDynamics"))
         {
-            build<Dim>(dictionary);
+            sampleCase.build<Dim>(dictionary);
         }
         if (runs("limitAnalysis"))
         {
-            analyse<Dim>(soundOf<Dim>(dictionary));
+            analyse<Dim>(sampleCase.soundOf<Dim>(dictionary));
         }
         runMotions<Dim>();
     }
@@ -177,7 +86,7 @@ struct SamplesInProcess::Cases
     {
         if (runs("limitAnalysis"))
         {
-            analyse<Dim>(soundOf<Dim>(Dictionary::readFile(assemblyFile(ensemble.caseDirectory))));
+            analyse<Dim>(sampleCase.soundOf<Dim>(sampleCase.dictionaryOfBlocks()));
         }
         runMotions<Dim>();
     }
@@ -219,79 +128,6 @@ struct SamplesInProcess::Cases
         takeFigures(structure, answers);
     }
 
-    /// Of a texture, or of the assembly that is there.
-    Dictionary dictionaryOfBlocks() const
-    {
-        const fs::path& directory = ensemble.caseDirectory;
-        return Dictionary::readFile(runs("blockTexture") ? directory / textureFile : assemblyFile(directory));
-    }
-
-    /// The case with the entries that are set, where it is one of the plane.
-    std::optional<LimitAnalysisCase<2>> readPlane()
-    {
-        const Dictionary dictionary = dictionaryOfBlocks();
-        if (dimensionsOf(dictionary) != 2)
-        {
-            return {};
-        }
-        return readLimitAnalysisCase<2>(ensemble.caseDirectory, soundOf<2>(dictionary));
-    }
-
-    /// Likewise, by what the samples differ in alone where that is contact properties: of a structure that
-    /// has been read for another sample.
-    std::optional<LimitAnalysisCase<2>> readAlike()
-    {
-        if (!alike.empty())
-        {
-            LimitAnalysisCase<2> structure = std::move(alike.back());
-            alike.pop_back();
-            if (readContactAnew(structure, ensemble.caseDirectory))
-            {
-                return structure;
-            }
-        }
-        return readPlane();
-    }
-
-    /// Keeps a structure that has been analysed, and not changed meanwhile, for other samples.
-    void keepAlike(LimitAnalysisCase<2>& structure)
-    {
-        constexpr const char* contactFile = "constant/contactProperties";
-        const auto& variables = ensemble.settings.variables;
-        if (std::all_of(variables.begin(), variables.end(),
-                        [&](const Named<EnsembleVariable>& variable)
-                        { return variable.second.place.file == contactFile; })
-            && !files.isIncluded(ensemble.caseDirectory / contactFile))
-        {
-            alike.push_back(std::move(structure));
-        }
-    }
-
-    /// The structures of several samples. \param read gets the numbers of those without a fault
-    std::vector<LimitAnalysisCase<2>> readAll(const std::vector<std::vector<SampleValue>>& samples,
-                                              std::vector<std::size_t>& read)
-    {
-        std::vector<LimitAnalysisCase<2>> structures;
-        structures.reserve(samples.size());
-        for (std::size_t i = 0; i < samples.size(); ++i)
-        {
-            setEntries(samples[i]);
-            try
-            {
-                if (std::optional<LimitAnalysisCase<2>> structure = readAlike())
-                {
-                    structures.push_back(std::move(*structure));
-                    read.push_back(i);
-                }
-            }
-            catch (const FatalError&)
-            {
-                // Reported where the sample is run by itself.
-            }
-        }
-        return structures;
-    }
-
     /// Samples that are solved in lanes begin near the solutions of references that depend on the study
     /// alone, so that no sample depends on another one, nor on which process computes it. Once.
     void beginFromReferences()
@@ -300,7 +136,7 @@ struct SamplesInProcess::Cases
         {
             hasReferences = true;
             std::vector<std::size_t> read;
-            beginLanesFrom(readAll(ensemble.sampler->spread(references), read), lanes);
+            beginLanesFrom(sampleCase.readAll(ensemble.sampler->spread(references), read), lanes);
         }
     }
 
@@ -313,7 +149,7 @@ struct SamplesInProcess::Cases
         beginFromReferences();
         std::vector<std::optional<SampleOutcome>> outcomes(samples.size());
         std::vector<std::size_t> read;
-        std::vector<LimitAnalysisCase<2>> structures = readAll(samples, read);
+        std::vector<LimitAnalysisCase<2>> structures = sampleCase.readAll(samples, read);
         if (std::none_of(structures.begin(), structures.end(), drystone::isForLanes))
         {
             return outcomes;
@@ -329,12 +165,12 @@ struct SamplesInProcess::Cases
                 outcomes[read[i]] = outcomeOf(results);
                 if (answers[i])
                 {
-                    keepAlike(structures[i]);
+                    sampleCase.keepAlike(structures[i]);
                 }
             }
             catch (const NotConverged&)
             {
-                // Likewise.
+                // Reported where the sample is run by itself.
             }
         }
         return outcomes;
@@ -437,7 +273,7 @@ struct SamplesInProcess::Cases
     {
         if (runs("blockTexture"))
         {
-            build<Dim>(dictionary);
+            sampleCase.build<Dim>(dictionary);
         }
         Time time(ensemble.caseDirectory, ControlDict::required, RunsOfCase::many);
         const DynamicCase<Dim> scene = readDynamicCase<Dim>(ensemble.caseDirectory);
@@ -446,12 +282,12 @@ struct SamplesInProcess::Cases
 
     void requireFigures(const std::vector<SampleValue>& values)
     {
-        setEntries(values);
+        sampleCase.setEntries(values);
         if (!runs("contactDynamics"))
         {
             return;
         }
-        const Dictionary dictionary = dictionaryOfBlocks();
+        const Dictionary dictionary = sampleCase.dictionaryOfBlocks();
         dimensionsOf(dictionary) == 3 ? requireFiguresOfMotion<3>(dictionary)
                                       : requireFiguresOfMotion<2>(dictionary);
     }
@@ -488,13 +324,10 @@ struct SamplesInProcess::Cases
     }
 
     const Ensemble& ensemble;
-    FilesInMemory files;
-    std::map<std::string, std::string> originals;
-    std::tuple<KeptStructure<2>, KeptStructure<3>> kept;
+    SampleCase sampleCase;
     SymbolicAnalysis symbolic; ///< of the last limit analysis: most samples have the same blocks touch
     LaneSolver lanes;          ///< likewise
     bool hasReferences = false;
-    std::vector<LimitAnalysisCase<2>> alike; ///< read for other samples
     std::vector<double> results;
 };
 
@@ -520,7 +353,7 @@ void SamplesInProcess::requireFigures(const std::vector<SampleValue>& values)
 
 bool SamplesInProcess::isForLanes()
 {
-    const std::optional<LimitAnalysisCase<2>> structure = cases->readPlane();
+    const std::optional<LimitAnalysisCase<2>> structure = cases->sampleCase.readPlane();
     return structure && drystone::isForLanes(*structure);
 }
 

@@ -46,9 +46,6 @@ private:
     std::unique_ptr<Cases> cases;
 };
 
-/// As a dictionary has it: words with signs between quotes.
-std::string entryText(const SampleValue& value);
-
 /// Of results that are computed.
 SampleOutcome outcomeOf(std::vector<double> results);
 
