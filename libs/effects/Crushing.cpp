@@ -22,7 +22,8 @@ void limitPressure(const JointOfCase& joint, double area, PointLaw& law)
     if (law.crushing == 0)
     {
         throw FatalIOError(
-            fmt::format("Joint {} bears no pressure: give crushing {{ strength ...; }} above 0.", joint.name),
+            fmt::format("Joint {} bears no pressure: give crushing {{ strength ...; }} above 0.",
+                        joint.name()),
             joint.contact.locations.of(joint.own.crushing ? "joints/" + joint.entry : "crushing"));
     }
 }

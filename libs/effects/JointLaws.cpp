@@ -349,11 +349,11 @@ std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly
                     [](const NamedJoint& joint) { return joint.first.text.find('|') != std::string::npos; });
     std::set<std::string> allNames;
     const JointProperties none;
+    const std::string noEntry;
     const std::vector<std::vector<std::string>> zones = zonesOfBlocks(assembly);
     for (const PointRange& range : pointsOfJoints(points))
     {
         const ContactPoint<Dim>& point = points[range.begin];
-        const std::string name = jointName(assembly, point.block, point.neighbour);
         const JointNames names =
             contact.joints.empty() ? JointNames() : jointNames(assembly, zones, point.block, point.neighbour);
         if (hasAlternatives)
@@ -362,7 +362,8 @@ std::vector<PointLaw> pointLaws(const ContactProperties& contact, const Assembly
             allNames.insert(names.ofZones.begin(), names.ofZones.end());
         }
         const NamedJoint* entry = contact.joints.empty() ? nullptr : entryOf(contact, names, isMatched);
-        const JointOfCase joint{contact, entry ? entry->second : none, name, entry ? entry->first.text : ""};
+        const JointOfCase joint{contact, entry ? entry->second : none, entry ? entry->first.text : noEntry,
+                                [&] { return jointName(assembly, point.block, point.neighbour); }};
         for (std::size_t i = range.begin; i < range.end; ++i)
         {
             for (const JointLaw& effect : effects)

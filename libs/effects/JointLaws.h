@@ -26,10 +26,10 @@ struct PointLaw
 /// A joint and what the case says of it, for the effects that make its law (JointLaw in EffectType.h).
 struct JointOfCase
 {
-    const ContactProperties& contact; ///< of all joints
-    const JointProperties& own;       ///< of this one
-    std::string name;                 ///< see jointName
-    std::string entry;                ///< of `joints` that it takes; empty: none
+    const ContactProperties& contact;  ///< of all joints
+    const JointProperties& own;        ///< of this one
+    const std::string& entry;          ///< of `joints` that it takes; empty: none
+    std::function<std::string()> name; ///< see jointName; for messages
 };
 
 /// Of a joint, else of all [Pa]; nothing where neither is given.

@@ -22,7 +22,7 @@ void refuseBeyondCohesion(const JointOfCase& joint, double tension, double mu)
         throw FatalIOError(
             fmt::format("Joint {} has a tension of {:g} Pa, but its cohesion of {:g} Pa and its friction "
                         "coefficient of {:g} end at {:g} Pa. Give cohesion {{ strength {:g}; }} or more.",
-                        joint.name, tension, cohesion, mu, cohesion / mu, tension * mu),
+                        joint.name(), tension, cohesion, mu, cohesion / mu, tension * mu),
             joint.contact.locations.of(joint.own.tension ? "joints/" + joint.entry : "tension"));
     }
 }

@@ -84,7 +84,7 @@ SampleOutcome SampleRunner::run(const std::vector<SampleValue>& values)
 
 int SampleRunner::together() const
 {
-    return ensemble.areAlike && isTogetherWorthIt ? LaneSolver::lanes() : 1;
+    return ensemble.areAlike && isTogetherWorthIt ? LaneSolver::together() : 1;
 }
 
 std::vector<std::optional<SampleOutcome>>

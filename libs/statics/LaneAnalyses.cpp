@@ -23,7 +23,7 @@ std::optional<LimitAnalysis> answerOf(const LimitAnalysisCase<2>& structure, con
     return completedAnalysis(structure.program, solution, interiorPointSettings(structure.solution), kept);
 }
 
-/// Solves the first of the structures that are left with all that are like it, as many as there are lanes.
+/// Solves the first of the structures that are left with all that are like it.
 void solveNext(const std::vector<LimitAnalysisCase<2>>& structures, std::vector<std::size_t>& left,
                LaneSolver& lanes, SymbolicAnalysis& kept, std::vector<std::optional<LimitAnalysis>>& answers)
 {
@@ -36,7 +36,7 @@ void solveNext(const std::vector<LimitAnalysisCase<2>>& structures, std::vector<
         const LimitAnalysisCase<2>& structure = structures[index];
         const bool isAlike = structure.solution.tolerance == first.solution.tolerance
                              && LaneSolver::areAlike(structure.program, first.program);
-        if (isAlike && programs.size() < static_cast<std::size_t>(LaneSolver::lanes()))
+        if (isAlike)
         {
             together.push_back(index);
             programs.push_back(&structure.program);

@@ -159,7 +159,7 @@ TEST(LaneSolver, AnAnswerDoesNotDependOnItsNeighboursByASingleBit)
         std::vector<std::size_t> order(programs.size());
         std::iota(order.begin(), order.end(), 0);
         std::shuffle(order.begin(), order.end(), random);
-        order.resize(1 + static_cast<std::size_t>(trial) % LaneSolver::lanes());
+        order.resize(1 + static_cast<std::size_t>(trial) % programs.size());
         std::vector<PlaneConeProgram> together;
         for (const std::size_t index : order)
         {
@@ -207,7 +207,7 @@ TEST(LaneSolver, AnAnswerThatBeginsFromOthersDoesNotDependOnItsNeighboursByASing
 {
     std::mt19937 random(8);
     const PlaneConeProgram program = planeLimitAnalysis(evenTower(7, 2, 0.6, 3));
-    const std::vector<PlaneConeProgram> programs = varied(program, 2 * LaneSolver::lanes(), random);
+    const std::vector<PlaneConeProgram> programs = varied(program, 5 * LaneSolver::lanes() + 1, random);
     const std::vector<PlaneConeProgram> references = varied(program, 5, random);
     const PlaneConeProgram other = planeLimitAnalysis(evenTower(4));
     LaneSolver together;
@@ -215,7 +215,7 @@ TEST(LaneSolver, AnAnswerThatBeginsFromOthersDoesNotDependOnItsNeighboursByASing
     for (const bool isFirst : {true, false})
     {
         // The second time after programs of other points, and in other lanes.
-        std::vector<PlaneConeProgram> batch(programs.begin(), programs.begin() + LaneSolver::lanes());
+        std::vector<PlaneConeProgram> batch = programs;
         if (!isFirst)
         {
             solved(together, {other});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace drystone
 {
@@ -53,50 +54,38 @@ LaneBeginnings::LaneBeginnings(LaneGeometry& geometry, const LaneKernel& kernel,
         references[index].liveLoad = program.liveLoad;
     }
     geometry.task.tolerance = tolerance;
-    const auto lanes = static_cast<std::size_t>(kernel.lanes);
-    for (std::size_t first = 0; first < references.size(); first += lanes)
+    for (const double share : sharesOfFriction)
     {
-        std::vector<Reference*> together;
-        for (std::size_t index = first; index < std::min(first + lanes, references.size()); ++index)
-        {
-            together.push_back(&references[index]);
-        }
-        for (const double share : sharesOfFriction)
-        {
-            seekRest(geometry, kernel, together, share);
-        }
-        follow(geometry, kernel, std::move(together));
+        seekRest(geometry, kernel, share);
     }
+    follow(geometry, kernel);
     std::erase_if(references, [](const Reference& reference) { return reference.stages.empty(); });
 }
 
-/// \param of at most as many as there are lanes
-void LaneBeginnings::seekRest(LaneGeometry& geometry, const LaneKernel& kernel,
-                              const std::vector<Reference*>& of, double share)
+void LaneBeginnings::seekRest(LaneGeometry& geometry, const LaneKernel& kernel, double share)
 {
     std::vector<PlaneConeProgram> programs;
-    for (const Reference* reference : of)
+    for (const Reference& reference : references)
     {
-        programs.push_back(*reference->program);
+        programs.push_back(*reference.program);
         for (double& friction : programs.back().friction)
         {
             friction *= share;
         }
     }
-    std::vector<const PlaneConeProgram*> ofLane;
+    std::vector<const PlaneConeProgram*> pointers;
     for (const PlaneConeProgram& program : programs)
     {
-        ofLane.push_back(&program);
+        pointers.push_back(&program);
     }
-    ofLane.resize(static_cast<std::size_t>(kernel.lanes), ofLane.front());
-    geometry.setPrograms(ofLane);
+    geometry.setPrograms(pointers);
     geometry.task.complementarity = complementarities.front();
     geometry.task.isBegun = false;
     kernel.solve(geometry.task);
-    for (std::size_t lane = 0; lane < of.size(); ++lane)
+    for (std::size_t index = 0; index < references.size(); ++index)
     {
-        std::vector<double> resting = geometry.restingOf(static_cast<int>(lane));
-        if (!of[lane]->resting.empty() || resting.empty())
+        std::vector<double> resting = geometry.restingOf(index);
+        if (!references[index].resting.empty() || resting.empty())
         {
             continue;
         }
@@ -108,46 +97,50 @@ void LaneBeginnings::seekRest(LaneGeometry& geometry, const LaneKernel& kernel,
             resting[ray] = sum + difference;
             resting[ray + 1] = sum - difference;
         }
-        of[lane]->resting = std::move(resting);
+        references[index].resting = std::move(resting);
     }
 }
 
-/// \param going at most as many as there are lanes
-void LaneBeginnings::follow(LaneGeometry& geometry, const LaneKernel& kernel, std::vector<Reference*> going)
+void LaneBeginnings::follow(LaneGeometry& geometry, const LaneKernel& kernel)
 {
+    std::vector<Reference*> going;
+    for (Reference& reference : references)
+    {
+        going.push_back(&reference);
+    }
+    geometry.task.isBegun = false;
     for (const double complementarity : complementarities)
     {
         if (going.empty())
         {
             return;
         }
-        std::vector<const PlaneConeProgram*> ofLane;
+        std::vector<const PlaneConeProgram*> programs;
         for (const Reference* reference : going)
         {
-            ofLane.push_back(reference->program);
+            programs.push_back(reference->program);
         }
-        ofLane.resize(static_cast<std::size_t>(kernel.lanes), going.front()->program);
-        geometry.setPrograms(ofLane);
+        geometry.setPrograms(programs);
         geometry.task.complementarity = complementarity;
-        geometry.task.isBegun = !going.front()->stages.empty();
-        for (int lane = 0; lane < kernel.lanes && geometry.task.isBegun; ++lane)
+        for (std::size_t index = 0; index < going.size() && geometry.task.isBegun; ++index)
         {
-            const Reference& reference = *going[static_cast<std::size_t>(lane) < going.size() ? lane : 0];
-            setBegin(geometry, reference, reference.stages.back(), {}, lane);
+            const Reference& reference = *going[index];
+            geometry.task.programs[index].begin =
+                beginAt(geometry.scaleOf(index), reference, reference.stages.back(), {});
         }
         kernel.solve(geometry.task);
+        geometry.task.isBegun = true;
         std::vector<Reference*> next;
-        for (std::size_t lane = 0; lane < going.size(); ++lane)
+        for (std::size_t index = 0; index < going.size(); ++index)
         {
-            const int of = static_cast<int>(lane);
-            if (geometry.task.ends[lane].isAnswered)
+            if (geometry.task.programs[index].end.isAnswered)
             {
-                Reference& reference = *going[lane];
-                reference.scale = geometry.scaleOf(of);
-                reference.stages.push_back(geometry.iterateOf(of));
+                Reference& reference = *going[index];
+                reference.scale = geometry.scaleOf(index);
+                reference.stages.push_back(geometry.iterateOf(index));
                 if (reference.resting.empty())
                 {
-                    reference.resting = geometry.restingOf(of);
+                    reference.resting = geometry.restingOf(index);
                 }
                 next.push_back(&reference);
             }
@@ -156,15 +149,15 @@ void LaneBeginnings::follow(LaneGeometry& geometry, const LaneKernel& kernel, st
     }
 }
 
-void LaneBeginnings::begin(LaneGeometry& geometry, const PlaneConeProgram& program, int lane) const
+void LaneBeginnings::begin(LaneGeometry& geometry, const PlaneConeProgram& program, std::size_t index) const
 {
     const std::vector<double> friction = geometry.frictionOfFaces(program);
-    const Reference* nearest = &references.front();
-    Difference least = differenceOf(friction, program, *nearest);
+    const Reference* nearest = nullptr;
+    Difference least{.size = std::numeric_limits<double>::infinity()};
     for (const Reference& reference : references)
     {
-        const Difference difference = differenceOf(friction, program, reference);
-        if (difference.size < least.size)
+        const Difference difference = differenceOf(friction, program, reference, least.size);
+        if (!nearest || difference.size < least.size)
         {
             least = difference;
             nearest = &reference;
@@ -177,40 +170,45 @@ void LaneBeginnings::begin(LaneGeometry& geometry, const PlaneConeProgram& progr
     {
         ++stage;
     }
-    setBegin(geometry, *nearest, nearest->stages[stage], least, lane);
+    geometry.task.programs[index].begin =
+        beginAt(geometry.scaleOf(index), *nearest, nearest->stages[stage], least);
 }
 
+/// \param most above which how large it is does not matter, only that it is larger
 LaneBeginnings::Difference LaneBeginnings::differenceOf(const std::vector<double>& friction,
                                                         const PlaneConeProgram& program,
-                                                        const Reference& reference)
+                                                        const Reference& reference, double most)
 {
     double ofFriction = 0;
     for (std::size_t face = 0; face < friction.size(); ++face)
     {
         ofFriction = std::max(ofFriction, std::abs(friction[face] - reference.friction[face])
                                               / std::min(friction[face], reference.friction[face]));
+        if (ofFriction > most)
+        {
+            return {.size = ofFriction};
+        }
     }
     const auto [load, ofLoad] = multipleOf(program.load, reference.load);
     const auto [liveLoad, ofLiveLoad] = multipleOf(program.liveLoad, reference.liveLoad);
     return {ofFriction + ofLoad + ofLiveLoad, load, liveLoad};
 }
 
-void LaneBeginnings::setBegin(LaneGeometry& geometry, const Reference& reference, const LaneIterate& iterate,
-                              const Difference& difference, int lane)
+/// \param scale of the program that begins
+LaneBegin LaneBeginnings::beginAt(const LaneScale& scale, const Reference& reference,
+                                  const LaneIterate& iterate, const Difference& difference)
 {
-    const LaneScale& scale = geometry.scaleOf(lane);
     const double forces = difference.load * reference.scale.load / scale.load;
     const double alpha = forces / (difference.liveLoad * reference.scale.liveLoad / scale.liveLoad);
-    geometry.task.begins[lane] = {.friction = reference.friction.data(),
-                                  .s = iterate.s.data(),
-                                  .z = iterate.z.data(),
-                                  .y = iterate.y.data(),
-                                  .resting = reference.resting.empty() ? nullptr : reference.resting.data(),
-                                  .alpha = alpha * iterate.alpha,
-                                  .forces = forces,
-                                  // The live load does unit work on the mechanism.
-                                  .openings = reference.scale.displacement
-                                              / (difference.liveLoad * scale.displacement)};
+    return {.friction = reference.friction.data(),
+            .s = iterate.s.data(),
+            .z = iterate.z.data(),
+            .y = iterate.y.data(),
+            .resting = reference.resting.empty() ? nullptr : reference.resting.data(),
+            .alpha = alpha * iterate.alpha,
+            .forces = forces,
+            // The live load does unit work on the mechanism.
+            .openings = reference.scale.displacement / (difference.liveLoad * scale.displacement)};
 }
 
 } // namespace drystone

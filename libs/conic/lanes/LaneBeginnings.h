@@ -22,8 +22,8 @@ public:
     /// Whether no reference has a path.
     bool isEmpty() const { return references.empty(); }
 
-    /// Sets where the program in a lane begins. \param geometry with the program set
-    void begin(LaneGeometry& geometry, const PlaneConeProgram& program, int lane) const;
+    /// Sets where a program begins. \param geometry with the program set as the one with this index
+    void begin(LaneGeometry& geometry, const PlaneConeProgram& program, std::size_t index) const;
 
     const double tolerance;
 
@@ -47,13 +47,12 @@ private:
         double liveLoad = 1;
     };
 
-    static void seekRest(LaneGeometry& geometry, const LaneKernel& kernel, const std::vector<Reference*>& of,
-                         double share);
-    static void follow(LaneGeometry& geometry, const LaneKernel& kernel, std::vector<Reference*> going);
+    void seekRest(LaneGeometry& geometry, const LaneKernel& kernel, double share);
+    void follow(LaneGeometry& geometry, const LaneKernel& kernel);
     static Difference differenceOf(const std::vector<double>& friction, const PlaneConeProgram& program,
-                                   const Reference& reference);
-    static void setBegin(LaneGeometry& geometry, const Reference& reference, const LaneIterate& iterate,
-                         const Difference& difference, int lane);
+                                   const Reference& reference, double most);
+    static LaneBegin beginAt(const LaneScale& scale, const Reference& reference, const LaneIterate& iterate,
+                             const Difference& difference);
 
     std::vector<Reference> references;
 };

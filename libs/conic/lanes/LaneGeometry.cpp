@@ -34,11 +34,7 @@ bool haveSamePoints(const std::vector<ConeColumns<3, 2>>& one, const std::vector
 }
 
 LaneGeometry::LaneGeometry(const PlaneConeProgram& program, int laneCount)
-    : contacts(program.contacts),
-      bodies(program.bodies),
-      lanes(laneCount),
-      lever(powerOfTwo(meanLeverArm(program))),
-      scales(static_cast<std::size_t>(laneCount))
+    : contacts(program.contacts), bodies(program.bodies), lever(powerOfTwo(meanLeverArm(program)))
 {
     SymbolicAnalysis symbolic;
     analyse(program, symbolic);
@@ -49,7 +45,7 @@ LaneGeometry::LaneGeometry(const PlaneConeProgram& program, int laneCount)
     {
         addPoint(columns);
     }
-    allot();
+    allotLanes(static_cast<std::size_t>(laneCount));
 }
 
 /// A point becomes part of the last face where it lies on the line of that one.
@@ -125,11 +121,9 @@ void LaneGeometry::listProducts()
     productStart.push_back(static_cast<int>(products.size()));
 }
 
-void LaneGeometry::allot()
+void LaneGeometry::allotLanes(std::size_t lanes)
 {
     LaneNumbers& numbers = task.numbers;
-    const std::size_t rows = 3 * (static_cast<std::size_t>(bodies) + 1);
-    const std::size_t rays = 2 * points.size();
     struct Share
     {
         double** array;
@@ -137,30 +131,24 @@ void LaneGeometry::allot()
     };
     const std::vector<Share> shares{
         {&numbers.friction, faces.size()},
-        {&numbers.load, rows},
-        {&numbers.liveLoad, rows},
+        {&numbers.load, rows()},
+        {&numbers.liveLoad, rows()},
         {&numbers.liveWork, 1},
-        {&numbers.s, rays},
-        {&numbers.y, rows},
-        {&numbers.alpha, 1},
-        {&numbers.resting, rays},
-        {&numbers.z, rays},
-        {&numbers.ratioS, rays},
-        {&numbers.ratioZ, rays},
-        {&numbers.correctionS, rays},
-        {&numbers.correctionZ, rays},
-        {&numbers.inverseZ, rays},
-        {&numbers.inverseProduct, rays},
-        {&numbers.leverage, rays},
-        {&numbers.endS, rays},
-        {&numbers.endZ, rays},
-        {&numbers.endY, rows},
-        {&numbers.endAlpha, 1},
-        {&numbers.balance, rows},
-        {&numbers.step, rows},
-        {&numbers.correction, rows},
-        {&numbers.target, rows},
-        {&numbers.liveSolution, rows},
+        {&numbers.s, rays()},
+        {&numbers.z, rays()},
+        {&numbers.y, rows()},
+        {&numbers.ratioS, rays()},
+        {&numbers.ratioZ, rays()},
+        {&numbers.correctionS, rays()},
+        {&numbers.correctionZ, rays()},
+        {&numbers.inverseZ, rays()},
+        {&numbers.inverseProduct, rays()},
+        {&numbers.leverage, rays()},
+        {&numbers.balance, rows()},
+        {&numbers.step, rows()},
+        {&numbers.correction, rows()},
+        {&numbers.target, rows()},
+        {&numbers.liveSolution, rows()},
         {&numbers.blocks, 9 * pattern.factor.row.size()},
     };
     constexpr std::size_t aligned = 64 / sizeof(double);
@@ -197,37 +185,61 @@ bool LaneGeometry::isOf(const PlaneConeProgram& program) const
     return bodies == program.bodies && haveSamePoints(contacts, program.contacts);
 }
 
-void LaneGeometry::setPrograms(const std::vector<const PlaneConeProgram*>& ofLane)
+void LaneGeometry::allotPrograms(std::size_t count)
 {
-    setFriction(ofLane);
-    for (int lane = 0; lane < lanes; ++lane)
+    while (rowsOf.size() < count)
     {
-        LaneScale& scale = scales[lane];
-        scale.load = setRows(ofLane[lane]->load, lane, task.numbers.load);
-        scale.liveLoad = setRows(ofLane[lane]->liveLoad, lane, task.numbers.liveLoad);
+        const std::vector<double> ofRows(rows());
+        const std::vector<double> ofRays(rays());
+        rowsOf.push_back({std::vector<double>(faces.size()), ofRows, ofRows, ofRays, ofRays, ofRows, ofRays});
+    }
+    programs.assign(count, {});
+    scales.resize(count);
+    for (std::size_t index = 0; index < count; ++index)
+    {
+        ProgramRows& of = rowsOf[index];
+        LaneProgram& program = programs[index];
+        program.friction = of.friction.data();
+        program.load = of.load.data();
+        program.liveLoad = of.liveLoad.data();
+        program.s = of.s.data();
+        program.z = of.z.data();
+        program.y = of.y.data();
+        program.resting = of.resting.data();
+    }
+    task.programs = programs.data();
+    task.programCount = static_cast<int>(count);
+}
+
+void LaneGeometry::setPrograms(const std::vector<const PlaneConeProgram*>& ofPrograms)
+{
+    allotPrograms(ofPrograms.size());
+    task.frictionCount = setFriction(ofPrograms);
+    for (std::size_t index = 0; index < ofPrograms.size(); ++index)
+    {
+        ProgramRows& rowsOfProgram = rowsOf[index];
+        LaneScale& scale = scales[index];
+        scale.load = setRows(ofPrograms[index]->load, rowsOfProgram.load.data());
+        scale.liveLoad = setRows(ofPrograms[index]->liveLoad, rowsOfProgram.liveLoad.data());
         double sum = 0;
-        for (int row = 0; row < 3 * bodies; ++row)
+        for (const double row : rowsOfProgram.liveLoad)
         {
-            sum += std::abs(task.numbers.liveLoad[lanes * row + lane]);
+            sum += std::abs(row);
         }
-        task.numbers.liveWork[lane] = powerOfTwo(sum);
+        programs[index].liveWork = powerOfTwo(sum);
         scale.displacement = 1 / (scale.liveLoad * powerOfTwo(sum));
-        task.ends[lane] = {};
     }
 }
 
-LaneIterate LaneGeometry::iterateOf(int lane) const
+LaneIterate LaneGeometry::iterateOf(std::size_t index) const
 {
-    const LaneNumbers& numbers = task.numbers;
-    const std::size_t rays = 2 * points.size();
-    return {columnOf(numbers.s, rays, lane), columnOf(numbers.z, rays, lane),
-            columnOf(numbers.y, 3 * static_cast<std::size_t>(bodies), lane), numbers.alpha[lane]};
+    const ProgramRows& of = rowsOf[index];
+    return {of.s, of.z, of.y, programs[index].alpha};
 }
 
-std::vector<double> LaneGeometry::restingOf(int lane) const
+std::vector<double> LaneGeometry::restingOf(std::size_t index) const
 {
-    return task.ends[lane].isResting ? columnOf(task.numbers.resting, 2 * points.size(), lane)
-                                     : std::vector<double>();
+    return programs[index].end.isResting ? rowsOf[index].resting : std::vector<double>();
 }
 
 std::vector<double> LaneGeometry::frictionOfFaces(const PlaneConeProgram& program) const
@@ -241,37 +253,28 @@ std::vector<double> LaneGeometry::frictionOfFaces(const PlaneConeProgram& progra
     return friction;
 }
 
-std::vector<double> LaneGeometry::columnOf(const double* numbers, std::size_t count, int lane) const
+ConeSolution LaneGeometry::solutionOf(const PlaneConeProgram& program, std::size_t index) const
 {
-    std::vector<double> column(count);
-    for (std::size_t index = 0; index < count; ++index)
-    {
-        column[index] = numbers[lanes * index + lane];
-    }
-    return column;
-}
-
-ConeSolution LaneGeometry::solutionOf(const PlaneConeProgram& program, int lane) const
-{
-    const LaneEnd& end = task.ends[lane];
+    const LaneProgram& solved = programs[index];
+    const LaneScale& scale = scales[index];
     ConeSolution solution;
-    solution.iterations = solution.factorisations = end.iterations;
-    if (!end.isAnswered)
+    solution.iterations = solution.factorisations = solved.end.iterations;
+    if (!solved.end.isAnswered)
     {
         return solution;
     }
-    solution.multiplier = task.numbers.alpha[lane] * scales[lane].load / scales[lane].liveLoad;
-    solution.contactForce = forcesOf(program, task.numbers.s, lane);
-    solution.displacement = displacementOf(lane);
-    if (end.isResting)
+    solution.multiplier = solved.alpha * scale.load / scale.liveLoad;
+    solution.contactForce = forcesOf(program, solved.s, scale.load);
+    solution.displacement = displacementOf(solved.y, scale.displacement);
+    if (solved.end.isResting)
     {
-        solution.forceOfLoadAlone = forcesOf(program, task.numbers.resting, lane);
+        solution.forceOfLoadAlone = forcesOf(program, solved.resting, scale.load);
     }
     return solution;
 }
 
-/// Rows of the program in one lane, scaled. \return their scale, a power of two
-double LaneGeometry::setRows(const Eigen::VectorXd& rowsOfProgram, int lane, double* rows) const
+/// Rows of a program, scaled. \return their scale, a power of two
+double LaneGeometry::setRows(const Eigen::VectorXd& rowsOfProgram, double* rowsOfLane) const
 {
     double largest = 0;
     const auto moment = 1 / lever;
@@ -282,55 +285,55 @@ double LaneGeometry::setRows(const Eigen::VectorXd& rowsOfProgram, int lane, dou
     const double scale = powerOfTwo(largest);
     for (int body = 0; body < bodies; ++body)
     {
-        double* of = rows + lanes * 3 * position[body] + lane;
+        double* of = rowsOfLane + 3 * position[body];
         of[0] = rowsOfProgram[3 * body] / scale;
-        of[lanes] = rowsOfProgram[3 * body + 1] / scale;
-        of[2 * lanes] = rowsOfProgram[3 * body + 2] * moment / scale;
+        of[1] = rowsOfProgram[3 * body + 1] / scale;
+        of[2] = rowsOfProgram[3 * body + 2] * moment / scale;
     }
     return scale;
 }
 
-/// Friction of a face in all lanes; faces that follow each other and have the same share it.
-void LaneGeometry::setFriction(const std::vector<const PlaneConeProgram*>& ofLane)
+/// Friction of all programs; faces that follow each other and have the same in each share it. \return how
+/// many there are of a program
+int LaneGeometry::setFriction(const std::vector<const PlaneConeProgram*>& ofPrograms)
 {
     int count = 0;
-    double* friction = task.numbers.friction;
     for (LaneFace& face : faces)
     {
-        double* of = friction + lanes * count;
-        for (int lane = 0; lane < lanes; ++lane)
+        bool isAsBefore = count > 0;
+        for (std::size_t index = 0; index < ofPrograms.size(); ++index)
         {
-            of[lane] = ofLane[lane]->friction[face.begin];
+            std::vector<double>& friction = rowsOf[index].friction;
+            friction[count] = ofPrograms[index]->friction[face.begin];
+            isAsBefore = isAsBefore && friction[count] == friction[count - 1];
         }
-        const bool isAsBefore = count > 0 && std::equal(of, of + lanes, of - lanes);
         count += isAsBefore ? 0 : 1;
         face.friction = count - 1;
     }
+    return count;
 }
 
-/// Forces of the points of the program in one lane, from those of its rays.
-Eigen::VectorXd LaneGeometry::forcesOf(const PlaneConeProgram& program, const double* s, int lane) const
+/// Forces of the points of a program, from those of its rays.
+Eigen::VectorXd LaneGeometry::forcesOf(const PlaneConeProgram& program, const double* s, double scale) const
 {
-    const double scale = scales[lane].load;
     Eigen::VectorXd forces(2 * program.points());
     for (int point = 0; point < program.points(); ++point)
     {
-        const double one = s[lanes * (2 * point) + lane] * scale;
-        const double other = s[lanes * (2 * point + 1) + lane] * scale;
+        const double one = s[2 * point] * scale;
+        const double other = s[2 * point + 1] * scale;
         forces[2 * point] = one + other;
         forces[2 * point + 1] = program.friction[point] * (one - other);
     }
     return forces;
 }
 
-Eigen::VectorXd LaneGeometry::displacementOf(int lane) const
+Eigen::VectorXd LaneGeometry::displacementOf(const double* y, double scale) const
 {
-    const double scale = scales[lane].displacement;
     Eigen::VectorXd displacement(3 * bodies);
     for (int body = 0; body < bodies; ++body)
     {
-        const double* y = task.numbers.y + lanes * 3 * position[body] + lane;
-        displacement.segment<3>(3 * body) << y[0] * scale, y[lanes] * scale, y[2 * lanes] * scale / lever;
+        const double* of = y + 3 * position[body];
+        displacement.segment<3>(3 * body) << of[0] * scale, of[1] * scale, of[2] * scale / lever;
     }
     return displacement;
 }

@@ -28,7 +28,7 @@ struct LaneScale
 };
 
 /// The task of a kernel for all programs with these points: faces, pattern of the factor, memory. Sets what
-/// differs from lane to lane and reads what has come of it, in the units of the program.
+/// differs from program to program and reads what has come of it, in the units of the program.
 class LaneGeometry
 {
 public:
@@ -39,16 +39,17 @@ public:
     /// Whether a program has these points.
     bool isOf(const PlaneConeProgram& program) const;
 
-    /// \param ofLane a program for each lane
-    void setPrograms(const std::vector<const PlaneConeProgram*>& ofLane);
+    /// The programs of the task, at least one; not kept.
+    void setPrograms(const std::vector<const PlaneConeProgram*>& programs);
 
-    /// \param program in the lane \return what its kernel has ended with; no status
-    ConeSolution solutionOf(const PlaneConeProgram& program, int lane) const;
+    /// \param program that was set as the one with this index \return what the kernel has ended with; no
+    /// status
+    ConeSolution solutionOf(const PlaneConeProgram& program, std::size_t index) const;
 
-    /// What the kernel has ended with in a lane, in units of `scaleOf` it.
-    LaneIterate iterateOf(int lane) const;
-    std::vector<double> restingOf(int lane) const; ///< likewise; empty where there is none
-    const LaneScale& scaleOf(int lane) const { return scales[lane]; }
+    /// What the kernel has ended with, in units of `scaleOf` the program.
+    LaneIterate iterateOf(std::size_t index) const;
+    std::vector<double> restingOf(std::size_t index) const; ///< likewise; empty where there is none
+    const LaneScale& scaleOf(std::size_t index) const { return scales[index]; }
     std::vector<double> frictionOfFaces(const PlaneConeProgram& program) const;
 
     LaneTask task{};
@@ -56,16 +57,22 @@ public:
 private:
     void addPoint(const ConeColumns<3, 2>& columns);
     void listProducts();
-    void allot();
-    void setFriction(const std::vector<const PlaneConeProgram*>& ofLane);
-    std::vector<double> columnOf(const double* numbers, std::size_t count, int lane) const;
-    double setRows(const Eigen::VectorXd& rowsOfProgram, int lane, double* rows) const;
-    Eigen::VectorXd forcesOf(const PlaneConeProgram& program, const double* s, int lane) const;
-    Eigen::VectorXd displacementOf(int lane) const;
+    void allotLanes(std::size_t lanes);
+    void allotPrograms(std::size_t count);
+    int setFriction(const std::vector<const PlaneConeProgram*>& ofPrograms);
+    double setRows(const Eigen::VectorXd& rowsOfProgram, double* rows) const;
+    Eigen::VectorXd forcesOf(const PlaneConeProgram& program, const double* s, double scale) const;
+    Eigen::VectorXd displacementOf(const double* y, double scale) const;
+    std::size_t rows() const { return 3 * (static_cast<std::size_t>(bodies) + 1); } ///< with the ground's
+    std::size_t rays() const { return 2 * points.size(); }
+
+    struct ProgramRows
+    {
+        std::vector<double> friction, load, liveLoad, s, z, y, resting;
+    };
 
     const std::vector<ConeColumns<3, 2>> contacts;
     const int bodies;
-    const int lanes;
     const double lever;
     std::vector<int> position; ///< of each body in elimination order
     FactorPattern pattern;
@@ -73,8 +80,10 @@ private:
     std::vector<LaneProduct> products;
     std::vector<LaneFace> faces;
     std::vector<LanePoint> points;
-    std::vector<double> memory;
-    std::vector<LaneScale> scales; ///< of each lane
+    std::vector<double> memory;        ///< of the lanes
+    std::vector<ProgramRows> rowsOf;   ///< of as many programs as there were at most
+    std::vector<LaneProgram> programs; ///< likewise; what the task points to
+    std::vector<LaneScale> scales;     ///< of each program
 };
 
 /// Whether two programs have the same contact points.

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The text of the lane kernels, fifth part: the iterations. They are those of interiorPoint/Loop.cpp, in the
+/// The text of the lane kernels, sixth part: the iterations. They are those of interiorPoint/Loop.cpp, in the
 /// plainest form that solves what ensembles have: every number of a lane is made of numbers of that lane
 /// alone, with the same operations whatever the others do, so that an answer does not depend on them by a
 /// single bit.
@@ -29,6 +29,7 @@ struct LaneLoop : LaneStart<lanes>
     using Base::missing;
     using Base::numbers;
     using Base::primal;
+    using Base::program;
     using Base::rays;
     using Base::rounding;
     using Base::rows;
@@ -76,15 +77,58 @@ struct LaneLoop : LaneStart<lanes>
 
     void run()
     {
-        task.isBegun ? Base::begin() : Base::start();
-        for (iteration = 0; iteration < mostIterations; ++iteration)
+        for (int first = 0; first < task.programCount; first += lanes)
         {
-            Base::moveAndMeasure();
-            mu = Base::complementarity / degree;
-            takeEnds();
+            Base::giveLanes(first, task.programCount);
+            rounding = Number{};
+            task.isBegun ? Base::begin() : Base::start();
+            keep(first);
+            if (!task.isBegun)
+            {
+                iterate(first, smallerOf(first + lanes, task.programCount));
+            }
+        }
+        if (task.isBegun)
+        {
+            iterate(0, task.programCount);
+        }
+        for (int first = 0; first < task.programCount && task.complementarity == 0; first += lanes)
+        {
+            repair(first);
+        }
+    }
+
+private:
+    static int smallerOf(int a, int b) { return a < b ? a : b; }
+
+    /// \param first program in the lanes
+    void keep(int first)
+    {
+        for (int lane = 0; lane < smallerOf(lanes, task.programCount - first); ++lane)
+        {
+            Base::keep(lane);
+        }
+    }
+
+    /// All programs from `first` to `end`. A lane whose program has ended takes the next one at once.
+    void iterate(int first, int end)
+    {
+        Base::giveLanes(first, end);
+        for (int lane = 0; lane < lanes; ++lane)
+        {
+            enter(lane, 0);
+        }
+        int next = first + lanes;
+        for (int iteration = 0;; ++iteration)
+        {
+            measure(iteration);
+            while (giveFreeLanes(next, end, iteration))
+            {
+                measure(iteration); // the others stand still, and are what they were
+            }
             if (!any(active))
             {
-                break;
+                return;
             }
             rounding = mu < cancellingComplementarity ? larger(rounding, all(leastRounding)) : rounding;
             Base::factoriseRaised();
@@ -94,17 +138,45 @@ struct LaneLoop : LaneStart<lanes>
             }
             step();
         }
-        takeKept();
-        if (task.complementarity == 0)
-        {
-            repair();
-        }
-        at(numbers.alpha, 0) = alpha;
     }
 
-private:
+    /// The program of a lane begins at what was kept of it.
+    void enter(int lane, int iteration)
+    {
+        Base::standAtKept(lane);
+        beginning[lane] = iteration;
+        rounding[lane] = 0;
+        wasThere[lane] = 0;
+        Base::stepS[lane] = Base::stepZ[lane] = weightS[lane] = weightZ[lane] = 0;
+    }
+
+    /// \param next program, those up to `end` are left \return whether any lane has got one
+    bool giveFreeLanes(int& next, int end, int iteration)
+    {
+        bool isAny = false;
+        for (int lane = 0; lane < lanes && next < end; ++lane)
+        {
+            if (!active[lane])
+            {
+                Base::give(lane, task.programs[next++]);
+                active[lane] = -1;
+                enter(lane, iteration);
+                isAny = true;
+            }
+        }
+        return isAny;
+    }
+
+    void measure(int iteration)
+    {
+        Base::moveAndMeasure();
+        Base::stepS = Base::stepZ = Number{};
+        mu = Base::complementarity / degree;
+        takeEnds(iteration);
+    }
+
     /// Lanes whose residuals meet the tolerance are kept as they are now; those that are lost are given up.
-    void takeEnds()
+    void takeEnds(int iteration)
     {
         const LaneNumbers to = numbers;
         const Number size = sizeOf(alpha);
@@ -112,57 +184,31 @@ private:
         const Number ofLoad = Base::product(to.load, to.y);
         objectiveSize = larger(liveWork * larger(all(1e-3), size), sizeOf(ofLoad));
         work = liveWork - Base::product(to.liveLoad, to.y);
-        const Mask isEnd = isOnPath()
+        isThere = mu <= 4 * task.complementarity;
+        const Mask isEnd = (isThere & wasThere)
                            | ((missing <= looseBalance * larger(all(1), size))
                               & (Base::misfit <= tolerance * Base::largest(to.y))
                               & (sizeOf(work) <= tolerance * larger(all(1), liveWork))
                               & (Base::complementarity <= tolerance * objectiveSize));
-        const Mask fresh = isEnd & active;
         for (int lane = 0; lane < lanes; ++lane)
         {
-            if (fresh[lane])
+            const int iterations = iteration - beginning[lane];
+            if (isEnd[lane] && active[lane])
             {
-                task.ends[lane].isAnswered = true;
-                task.ends[lane].iterations = iteration;
+                Base::keep(lane);
+                program[lane]->end.isAnswered = true;
+                program[lane]->end.iterations = iterations;
             }
-        }
-        if (any(fresh))
-        {
-            keep(fresh);
+            active[lane] = iterations + 1 < mostIterations ? active[lane] : 0;
         }
         active &= ~isEnd & (mu > 0) & (mu < 1e300) & (size < lost);
-    }
-
-    /// Whether an iterate that is sought has been reached twice: what has come there is one step from the
-    /// path, and correctors that ask for more than they get end at some times what they aim at.
-    Mask isOnPath()
-    {
-        const Mask isThere = mu <= 4 * task.complementarity;
-        const Mask isTwice = isThere & wasThere;
-        wasThere = isThere;
-        return isTwice;
-    }
-
-    void keep(Mask which)
-    {
-        const LaneNumbers to = numbers;
-        const auto take = [which](double* end, const double* from, long count)
-        {
-            for (long index = 0; index < count; ++index)
-            {
-                at(end, index) = which ? at(from, index) : at(end, index);
-            }
-        };
-        take(to.endS, to.s, rays);
-        take(to.endZ, to.z, rays);
-        take(to.endY, to.y, rows + 3);
-        at(to.endAlpha, 0) = which ? alpha : at(to.endAlpha, 0);
     }
 
     /// The predictor with its corrections; it is gone at the next measurement.
     void step()
     {
         const LaneNumbers to = numbers;
+        wasThere = isThere;
         Base::copyLiveLoad();
         Base::template solve<2>({to.step, to.liveSolution});
         liveStiffness = Base::product(to.liveLoad, to.liveSolution);
@@ -262,46 +308,35 @@ private:
         }
     }
 
-    void takeKept()
+    /// The balance of the answers from `first` on, as many as there are lanes, by the least change in the
+    /// metric of min(D, constant), as NewtonSystem::repairBalance has it.
+    void repair(int first)
     {
         const LaneNumbers to = numbers;
-        for (long ray = 0; ray < rays; ++ray)
-        {
-            at(to.s, ray) = at(to.endS, ray);
-            at(to.z, ray) = at(to.endZ, ray);
-        }
-        for (long row = 0; row < rows + 3; ++row)
-        {
-            at(to.y, row) = at(to.endY, row);
-        }
-        alpha = at(to.endAlpha, 0);
-    }
-
-    /// The balance of the answers by the least change in the metric of min(D, constant), as
-    /// NewtonSystem::repairBalance has it, in all lanes at once.
-    void repair()
-    {
-        const LaneNumbers to = numbers;
-        Mask needed = {};
+        Base::giveLanes(first, task.programCount);
         for (int lane = 0; lane < lanes; ++lane)
         {
-            needed[lane] = task.ends[lane].isAnswered ? -1 : 0;
+            Base::standAtKept(lane);
+            active[lane] = program[lane]->end.isAnswered ? active[lane] : 0;
+        }
+        if (!any(active))
+        {
+            return;
         }
         for (long ray = 0; ray < rays; ++ray)
         {
             const Number s = at(to.s, ray);
             at(to.inverseZ, ray) = smaller(s / at(to.z, ray), all(evenFlexibility)) / s;
         }
-        active = needed;
         bool isFactorised = false;
         for (int pass = 0; pass < passesOfRepair; ++pass)
         {
             Base::setLoads(to.correction);
             Base::forForces(to.correction, [&](long ray) { return -at(to.s, ray); });
-            needed &= Base::largest(to.correction) > 0.1 * task.tolerance * larger(all(1), sizeOf(alpha));
-            if (!any(needed))
+            active &= Base::largest(to.correction) > 0.1 * task.tolerance * larger(all(1), sizeOf(alpha));
+            if (!any(active))
             {
-                return;
+                break;
             }
             if (!isFactorised)
             {
@@ -310,7 +345,7 @@ private:
             }
             for (long row = 0; row < rows; ++row)
             {
-                at(to.correction, row) = needed ? at(to.correction, row) : Number{};
+                at(to.correction, row) = active ? at(to.correction, row) : Number{};
             }
             Base::template solve<1>({to.correction});
             alpha += takeLiveWork(to.correction);
@@ -321,6 +356,7 @@ private:
                                   at(to.s, ray) = larger(s + s * at(to.inverseZ, ray) * closing, 0.1 * s);
                               });
         }
+        keep(first);
     }
 
     void factoriseRepair()
@@ -334,8 +370,12 @@ private:
 
     const double degree;
     const double tolerance;
-    int iteration = 0;
+    int beginning[lanes] = {}; ///< iteration at which the program in a lane began
     Number mu = {};
+    /// Whether an iterate that is sought has been reached, and was before the last step: what has come there
+    /// is one step from the path, and correctors that ask for more than they get end at some times what they
+    /// aim at, so that it ends there the second time.
+    Mask isThere = {};
     Mask wasThere = {};
     Number work = {}; ///< w - L'y
     Number objectiveSize = {};

@@ -110,25 +110,22 @@ bool LaneSolver::prepareBeginnings(const PlaneConeProgram& program, double toler
 std::vector<ConeSolution> LaneSolver::solveAtOnce(const std::vector<const PlaneConeProgram*>& programs,
                                                   double tolerance, bool isBegun)
 {
-    // In lanes without a program the first one.
-    std::vector<const PlaneConeProgram*> ofLane = programs;
-    ofLane.resize(static_cast<std::size_t>(lanes()), programs.front());
-    geometry->setPrograms(ofLane);
+    geometry->setPrograms(programs);
     geometry->task.tolerance = tolerance;
     geometry->task.complementarity = 0;
     geometry->task.isBegun = isBegun;
-    for (int lane = 0; lane < lanes() && isBegun; ++lane)
+    for (std::size_t index = 0; index < programs.size() && isBegun; ++index)
     {
-        beginnings->begin(*geometry, *ofLane[static_cast<std::size_t>(lane)], lane);
+        beginnings->begin(*geometry, *programs[index], index);
     }
     laneKernel().solve(geometry->task);
     std::vector<ConeSolution> solutions;
-    for (std::size_t lane = 0; lane < programs.size(); ++lane)
+    for (std::size_t index = 0; index < programs.size(); ++index)
     {
-        solutions.push_back(geometry->solutionOf(*programs[lane], static_cast<int>(lane)));
+        solutions.push_back(geometry->solutionOf(*programs[index], index));
         ConeSolution& solution = solutions.back();
         if (solution.contactForce.size() > 0
-            && certifyOptimal(*programs[lane], solution).worst() <= tolerance)
+            && certifyOptimal(*programs[index], solution).worst() <= tolerance)
         {
             solution.status = SolveStatus::optimal;
         }
@@ -139,9 +136,9 @@ std::vector<ConeSolution> LaneSolver::solveAtOnce(const std::vector<const PlaneC
 std::vector<ConeSolution> LaneSolver::solve(const std::vector<const PlaneConeProgram*>& programs,
                                             double tolerance)
 {
-    if (programs.empty() || programs.size() > static_cast<std::size_t>(lanes()))
+    if (programs.empty())
     {
-        throw std::invalid_argument("LaneSolver solves from one program to as many as it has lanes");
+        throw std::invalid_argument("LaneSolver solves one program or more");
     }
     if (!geometry || !geometry->isOf(*programs.front()))
     {

@@ -28,8 +28,12 @@ public:
     LaneSolver(const LaneSolver&) = delete;
     LaneSolver& operator=(const LaneSolver&) = delete;
 
-    /// How many programs are solved together at most: as many as a register of this processor has numbers.
+    /// How many programs are solved at the same time: as many as a register of this processor has numbers.
     static int lanes();
+
+    /// How many programs are best handed over at once: lanes take the next one as soon as their own has
+    /// ended, and wait for each other once, at the end.
+    static int together() { return 8 * lanes(); }
 
     /// Whether a program may be solved here: one with a multiplier, without inertia, gaps, compliance and
     /// strength, of some hundred bodies at most, all of whose points have friction, not a large one, the same
@@ -45,7 +49,7 @@ public:
     /// scratch
     void beginFrom(std::vector<PlaneConeProgram> references);
 
-    /// \param programs at most `lanes()`, all taken and alike; not null
+    /// \param programs any number, all taken and alike; not null
     /// \param tolerance on every figure of the certificate
     /// \return a solution each, `optimal` where its certificate meets the tolerance, else `notConverged` and
     /// to be solved otherwise; with `forceOfLoadAlone` where forces were found that may carry it

@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The text of the lane kernels, fourth part: where iterations begin, and forces of the load alone.
+/// The text of the lane kernels, fifth part: where iterations begin, and forces of the load alone.
 #pragma once
 
-#include "conic/lanes/LaneSteps.h"
+#include "conic/lanes/LanePrograms.h"
 
 namespace drystone
 {
@@ -10,15 +10,17 @@ namespace
 {
 
 template<int lanes>
-struct LaneStart : LaneSteps<lanes>
+struct LaneStart : LanePrograms<lanes>
 {
-    using Base = LaneSteps<lanes>;
+    using Base = LanePrograms<lanes>;
+    using Base::active;
     using Base::all;
     using Base::alpha;
     using Base::any;
     using Base::at;
     using Base::larger;
     using Base::numbers;
+    using Base::program;
     using Base::rays;
     using Base::rows;
     using Base::smaller;
@@ -31,9 +33,8 @@ struct LaneStart : LaneSteps<lanes>
 
     using Base::Base;
 
-    Mask active = Base::every(); ///< lanes that are neither answered nor given up
-    Number rounding = {};        ///< share that pivots are raised by
-    Number liveStiffness = {};   ///< L'S^-1 L
+    Number rounding = {};      ///< share that pivots are raised by
+    Number liveStiffness = {}; ///< L'S^-1 L
 
     /// Of lanes with a pivot that is not positive every pivot is raised; where that is of no use they are
     /// given up.
@@ -82,10 +83,9 @@ struct LaneStart : LaneSteps<lanes>
         {
             at(to.s, ray) = all(1);
             at(to.inverseZ, ray) = all(1);
-            at(to.ratioS, ray) = at(to.ratioZ, ray) = Number{};
-            at(to.correctionS, ray) = at(to.correctionZ, ray) = Number{};
         }
         factoriseRaised();
+        alpha = Number{};
         Base::setLoads(to.step);
         copyLiveLoad();
         Base::template solve<2>({to.step, to.liveSolution});
@@ -121,7 +121,7 @@ struct LaneStart : LaneSteps<lanes>
         beginRest();
         for (int lane = 0; lane < lanes; ++lane)
         {
-            const LaneBegin& from = task.begins[lane];
+            const LaneBegin& from = program[lane]->begin;
             alpha[lane] = from.alpha;
             for (long row = 0; row < rows; ++row)
             {
@@ -129,11 +129,6 @@ struct LaneStart : LaneSteps<lanes>
             }
             beginRays(from, from.s, from.forces, lane, to.s, ofForces);
             beginRays(from, from.z, from.openings, lane, to.z, ofOpenings);
-        }
-        for (long ray = 0; ray < rays; ++ray)
-        {
-            at(to.ratioS, ray) = at(to.ratioZ, ray) = Number{};
-            at(to.correctionS, ray) = at(to.correctionZ, ray) = Number{};
         }
         for (long row = rows; row < rows + 3; ++row)
         {
@@ -147,7 +142,7 @@ struct LaneStart : LaneSteps<lanes>
         const LaneNumbers to = numbers;
         for (int lane = 0; lane < lanes; ++lane)
         {
-            const LaneBegin& from = task.begins[lane];
+            const LaneBegin& from = program[lane]->begin;
             if (from.resting)
             {
                 beginRays(from, from.resting, from.forces, lane, to.s, ofForces);
@@ -233,9 +228,22 @@ struct LaneStart : LaneSteps<lanes>
         Mask sought = active;
         for (int lane = 0; lane < lanes; ++lane)
         {
-            sought[lane] = task.ends[lane].isResting ? 0 : sought[lane];
+            sought[lane] = program[lane]->end.isResting ? 0 : sought[lane];
         }
         return sought;
+    }
+
+    /// What is in `correctionS` carries the load alone. \param which lanes
+    void keepRest(Mask which)
+    {
+        for (int lane = 0; lane < lanes; ++lane)
+        {
+            if (which[lane])
+            {
+                Base::fromLane(numbers.correctionS, rays, lane, program[lane]->resting);
+                program[lane]->end.isResting = true;
+            }
+        }
     }
 
     /// Forces that carry the load alone, as NewtonSystem::forcesOfLoadAlone finds them.
@@ -266,18 +274,8 @@ struct LaneStart : LaneSteps<lanes>
                                 return inside;
                             });
             const Mask found = (Base::largest(to.correction) <= 0.1 * task.tolerance) & sought;
-            if (any(found))
-            {
-                for (long ray = 0; ray < rays; ++ray)
-                {
-                    at(to.resting, ray) = found ? at(to.correctionS, ray) : at(to.resting, ray);
-                }
-                for (int lane = 0; lane < lanes; ++lane)
-                {
-                    task.ends[lane].isResting = task.ends[lane].isResting || found[lane];
-                }
-                sought &= ~found;
-            }
+            keepRest(found);
+            sought &= ~found;
             if (pass + 1 == passes || !any(sought))
             {
                 break;

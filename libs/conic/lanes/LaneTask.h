@@ -54,35 +54,7 @@ struct LaneGraph
     const int* updateColumn;   ///< and their columns
 };
 
-/// What differs from lane to lane: numbers of `lanes` doubles each, 64-byte aligned. Rays: two a point, (1,
-/// mu) and (1, -mu). Rows: 3 a body (force, moment), then 3 of the ground, zero.
-struct LaneNumbers
-{
-    double* friction; ///< in: mu of each index
-    double* load;     ///< in: f, rows
-    double* liveLoad; ///< in: L, rows
-    double* liveWork; ///< in: w of L'y = w, one
-
-    double* s;       ///< out: forces of the rays
-    double* y;       ///< out: rows
-    double* alpha;   ///< out: one
-    double* resting; ///< out: forces of the rays that carry the load alone
-
-    // Work of the kernel.
-    double* z;                             ///< openings of the rays
-    double* ratioS;                        ///< ds/s of the step in hand
-    double* ratioZ;                        ///< dz/z
-    double* correctionS;                   ///< of ds/s; its pull, before that is solved for
-    double* correctionZ;                   ///< of dz/z
-    double* inverseZ;                      ///< 1/z
-    double* inverseProduct;                ///< 1/(s z)
-    double* leverage;                      ///< s / (2 (s + z)), see Centring.cpp
-    double *endS, *endZ, *endY, *endAlpha; ///< of lanes that have ended
-    double *balance, *step, *correction, *target, *liveSolution; ///< rows
-    double* blocks;                                              ///< 9 a block of the factor, by columns
-};
-
-/// Where another program of the same points was well inside its cones, and its units in those of the lane
+/// Where another program of the same points was well inside its cones, and its units in those of the program
 /// that begins there. Not owned.
 struct LaneBegin
 {
@@ -91,18 +63,59 @@ struct LaneBegin
     const double* z;        ///< likewise
     const double* y;        ///< of each row
     const double* resting;  ///< of each ray, or null: none were found
-    double alpha;           ///< in units of the lane
+    double alpha;           ///< in units of the program
     double forces;          ///< unit of s
     double openings;        ///< of z and y
 };
 
-/// How the program in one lane has ended.
+/// How a program has ended.
 struct LaneEnd
 {
     bool isAnswered; ///< what is sought was found; of an answer the scaled residuals meet the tolerance but
                      ///< for the balance, which is repaired as far as it goes
     bool isResting;  ///< forces that carry the load alone were found
     int iterations;
+};
+
+/// One program. Rays: two a point, (1, mu) and (1, -mu). Rows: 3 a body (force, moment), then 3 of the
+/// ground, zero. Not owned.
+struct LaneProgram
+{
+    const double* friction; ///< mu of each index
+    const double* load;     ///< f, rows
+    const double* liveLoad; ///< L, rows
+    double liveWork;        ///< w of L'y = w
+    LaneBegin begin;        ///< unless it begins from scratch
+
+    // Out; where iterations begin, before they have ended.
+    double* s;       ///< forces of the rays
+    double* z;       ///< openings of the rays
+    double* y;       ///< rows
+    double* resting; ///< forces of the rays that carry the load alone
+    double alpha;
+    LaneEnd end; ///< none at first
+};
+
+/// The numbers of the programs in the lanes and the work of the kernel: `lanes` doubles each, 64-byte
+/// aligned.
+struct LaneNumbers
+{
+    double* friction;
+    double* load;
+    double* liveLoad;
+    double* liveWork;
+    double* s;
+    double* z;
+    double* y;
+    double* ratioS;         ///< ds/s of the step in hand
+    double* ratioZ;         ///< dz/z
+    double* correctionS;    ///< of ds/s; its pull, before that is solved for
+    double* correctionZ;    ///< of dz/z
+    double* inverseZ;       ///< 1/z
+    double* inverseProduct; ///< 1/(s z)
+    double* leverage;       ///< s / (2 (s + z)), see Centring.cpp
+    double *balance, *step, *correction, *target, *liveSolution; ///< rows
+    double* blocks;                                              ///< 9 a block of the factor, by columns
 };
 
 struct LaneTask
@@ -112,9 +125,11 @@ struct LaneTask
     double tolerance;
     /// What is sought: 0, the answer; else the iterate with this mean product s z, near the central path.
     double complementarity;
-    bool isBegun; ///< each lane as `begins` says; else from scratch
-    LaneBegin begins[8];
-    LaneEnd ends[8]; ///< out; none at first
+    bool isBegun; ///< each program as its `begin` says; else from scratch
+    LaneProgram*
+        programs;      ///< more than there are lanes where they are begun: a lane that is free takes the next
+    int programCount;  ///< at least 1
+    int frictionCount; ///< of each program
 };
 
 /// One text compiled for several processors; which one runs is decided when it runs.
