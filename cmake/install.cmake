@@ -74,7 +74,13 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL applications python)
 set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_NAME drystone)
 set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_DEPENDS "bash, libcairo2")
+set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_DEPENDS libcairo2)
+set(CPACK_COMPONENT_APPLICATIONS_DESCRIPTION
+    "Masonry walls, arches, vaults, houses and columns of stone: block textures
+and imported blocks, limit analysis by cone programming with certificates,
+dynamics with friction and impacts, incremental dynamics and ensembles. Used
+through case directories with dictionaries, in the manner of OpenFOAM;
+results open in ParaView.")
 set(CPACK_DEBIAN_APPLICATIONS_PACKAGE_SUGGESTS "python3-drystone, bash-completion")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-drystone)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
@@ -86,4 +92,5 @@ set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python package that runs Drystone and re
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/debianFiles.cmake)
 include(CPack)
