@@ -55,8 +55,8 @@ void refuseShapes(const Assembly<Dim>& assembly, const Dictionary& dictionary)
         {
             throw FatalIOError(
                 fmt::format("This texture makes no blocks: block {} {}.\n\nIts lengths are in "
-                            "metres; correct those that are too small or too large, also compared "
-                            "with each other.",
+                            "metres; correct those that are too small or too large, also beside "
+                            "each other.",
                             block, fault),
                 dictionary.locationOf("texture"));
         }
