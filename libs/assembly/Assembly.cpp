@@ -2,6 +2,8 @@
 /// Numbering of free blocks, mass properties, placed outlines.
 #include "assembly/Assembly.h"
 
+#include "geometry/Rotation.h"
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -97,6 +99,21 @@ std::vector<Placement<2>> moved(std::vector<Placement<2>> placements, const std:
         {
             placements[block].translation += share * displacement.segment<2>(3 * free[block]);
             placements[block].rotation += share * displacement[3 * free[block] + 2];
+        }
+    }
+    return placements;
+}
+
+std::vector<Placement<3>> moved(std::vector<Placement<3>> placements, const std::vector<int>& free,
+                                const Eigen::VectorXd& displacement, double share)
+{
+    for (std::size_t block = 0; block < free.size(); ++block)
+    {
+        if (free[block] >= 0)
+        {
+            const auto own = displacement.segment<6>(6 * free[block]);
+            placements[block].translation += share * own.head<3>();
+            placements[block].rotation = composed(placements[block].rotation, share * own.tail<3>());
         }
     }
     return placements;

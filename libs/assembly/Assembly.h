@@ -131,9 +131,12 @@ struct Placement<3>
     Vector<3> rotation = Vector<3>::Zero();    ///< rotation vector, its length the angle [rad], right hand
 };
 
-/// The placements moved by displacements of the free blocks, ux uy rz each, times `share`. Rotations are
-/// finite: angles of the plane add. \param free see freeIndices
+/// The placements moved by displacements of the free blocks, (ux uy rz) or (ux uy uz rx ry rz) each [m, rad],
+/// times `share`. Rotations are finite: angles of the plane add, rotation vectors are composed. \param free
+/// see freeIndices
 std::vector<Placement<2>> moved(std::vector<Placement<2>> placements, const std::vector<int>& free,
+                                const Eigen::VectorXd& displacement, double share = 1);
+std::vector<Placement<3>> moved(std::vector<Placement<3>> placements, const std::vector<int>& free,
                                 const Eigen::VectorXd& displacement, double share = 1);
 
 /// An outline turned about `centre` by the placement's rotation, then moved [m]. Unchanged to the last bit

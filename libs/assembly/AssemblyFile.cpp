@@ -128,25 +128,6 @@ void readJointTolerance(const Entry& entry, Assembly<Dim>& assembly)
     assembly.jointTolerance = tolerance;
 }
 
-Dictionary readFileOfBlocks(const std::filesystem::path& caseDirectory)
-{
-    return Dictionary::readFile(
-        requireCaseFile(caseDirectory, "constant/assembly/blocks",
-                        "Run blockTexture first: it builds the blocks of this case."));
-}
-
-int dimensionsOfBlocks(const Dictionary& dictionary)
-{
-    const int dimensions = dictionary.get<int>("dimensions");
-    if (dimensions != 2 && dimensions != 3)
-    {
-        throw FatalIOError(
-            fmt::format("dimensions {} are not possible: 2 is the plane, 3 is space.", dimensions),
-            dictionary.locationOf("dimensions"));
-    }
-    return dimensions;
-}
-
 constexpr std::string_view noBlock = "There is no block in this assembly. Build it again with blockTexture.";
 
 /// The shapes of the blocks, by the dimension's own keys.
@@ -191,6 +172,25 @@ std::vector<std::string> keysOfShapes()
 }
 
 } // namespace
+
+Dictionary readFileOfBlocks(const std::filesystem::path& caseDirectory)
+{
+    return Dictionary::readFile(
+        requireCaseFile(caseDirectory, "constant/assembly/blocks",
+                        "Run blockTexture first: it builds the blocks of this case."));
+}
+
+int dimensionsOfBlocks(const Dictionary& file)
+{
+    const int dimensions = file.get<int>("dimensions");
+    if (dimensions != 2 && dimensions != 3)
+    {
+        throw FatalIOError(
+            fmt::format("dimensions {} are not possible: 2 is the plane, 3 is space.", dimensions),
+            file.locationOf("dimensions"));
+    }
+    return dimensions;
+}
 
 int assemblyDimensions(const std::filesystem::path& caseDirectory)
 {

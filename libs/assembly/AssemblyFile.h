@@ -3,6 +3,7 @@
 #pragma once
 
 #include "assembly/Assembly.h"
+#include "dictionary/Dictionary.h"
 #include "dictionary/Fingerprint.h"
 
 #include <filesystem>
@@ -17,6 +18,12 @@ std::filesystem::path assemblyFile(const std::filesystem::path& caseDirectory);
 /// The dimensions of the blocks of a case, 2 (plane) or 3 (space): what an application chooses its types
 /// from. \throws FatalIOError when the file is missing or has other dimensions
 int assemblyDimensions(const std::filesystem::path& caseDirectory);
+
+/// The file as it is. \throws FatalIOError when it is missing or no dictionary
+Dictionary readFileOfBlocks(const std::filesystem::path& caseDirectory);
+
+/// Likewise of a file that has been read. \param file of blocks \throws FatalIOError when it has others
+int dimensionsOfBlocks(const Dictionary& file);
 
 /// The text of the file: a FoamFile header, `dimensions`, `jointTolerance` [m] where the user states one,
 /// `supports` with the indices of the blocks that each of them fixes, where there are any `zones` with the

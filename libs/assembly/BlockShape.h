@@ -39,6 +39,18 @@ Box<2> boundingBox(const Block<2>& block);
 template<>
 Box<3> boundingBox(const Block<3>& block);
 
+/// The smallest box that contains all blocks as built; empty where there are none.
+template<int Dim>
+Box<Dim> boundingBox(const Assembly<Dim>& assembly)
+{
+    Box<Dim> box;
+    for (const Block<Dim>& block : assembly.blocks)
+    {
+        extend<Dim>(box, boundingBox(block));
+    }
+    return box;
+}
+
 /// Distance of a point from a block [m]: 0 inside and on it.
 double distanceFrom(const Block<2>& block, const Vector<2>& point);
 double distanceFrom(const Block<3>& block, const Vector<3>& point);

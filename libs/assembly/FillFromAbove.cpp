@@ -53,8 +53,7 @@ FillFromAbove<Dim>::FillFromAbove(const Assembly<Dim>& structure, std::optional<
     for (const Block<Dim>& block : assembly.blocks)
     {
         boxes.push_back(boundingBox(block));
-        extend<Dim>(all, boxes.back().lower);
-        extend<Dim>(all, boxes.back().upper);
+        extend<Dim>(all, boxes.back());
     }
     every.resize(boxes.size());
     std::iota(every.begin(), every.end(), std::size_t{0});
@@ -134,7 +133,7 @@ double FillFromAbove<Dim>::firstBlockAlong(const std::vector<std::size_t>& among
                                            const Vector<Dim>& direction) const
 {
     const Vector<Dim> end = from + (all.upper - all.lower).norm() * direction;
-    const Box<Dim> way = enlarged<Dim>({from.cwiseMin(end), from.cwiseMax(end)}, width);
+    const Box<Dim> way = enlarged<Dim>(boxAround<Dim>(from, end), width);
     double first = std::numeric_limits<double>::infinity();
     for (const std::size_t block : among)
     {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "assembly/Loads.h"
+#include "geometry/PointText.h"
 
 #include <fmt/format.h>
 
@@ -32,13 +33,6 @@ std::string faultOfForce(const Vector<Dim>& value)
                ? ""
                : fmt::format("A force of {:.6g} N cannot be computed with. Write for instance `value {};`.",
                              value.stableNorm(), downwards<Dim>("1000"));
-}
-
-/// `(0.5 1.2)`, as a dictionary has it.
-template<int Dim>
-std::string asWritten(const Vector<Dim>& point)
-{
-    return fmt::format("({:.6g})", fmt::join(point.data(), point.data() + Dim, " "));
 }
 
 /// `type supportMovement;`

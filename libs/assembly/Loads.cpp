@@ -113,7 +113,7 @@ std::vector<LinePiece<Dim>> piecesOfLine(const Assembly<Dim>& assembly,
 {
     const Vector<Dim> along = to - from;
     std::vector<double> cuts{0, 1};
-    const Box<Dim> reach = enlarged<Dim>({from.cwiseMin(to), from.cwiseMax(to)}, tolerance);
+    const Box<Dim> reach = enlarged<Dim>(boxAround<Dim>(from, to), tolerance);
     for (const Block<Dim>& block : assembly.blocks)
     {
         if (block.support < 0 && meet<Dim>(reach, boundingBox(block)))

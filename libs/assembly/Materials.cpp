@@ -5,6 +5,7 @@
 #include "assembly/CaseFile.h"
 #include "assembly/NamedZones.h"
 #include "core/Error.h"
+#include "geometry/PointText.h"
 
 #include <fmt/format.h>
 
@@ -20,14 +21,6 @@ namespace
 /// Moon to models in a small centrifuge; no gravity at all is a choice.
 constexpr double weakestGravity = 1;
 constexpr double strongestGravity = 25;
-
-/// `(0 0 -9.81)`, as a dictionary has it.
-template<int Dim>
-std::string asWritten(const Vector<Dim>& vector)
-{
-    const Vector<Dim> plain = vector + Vector<Dim>::Zero(); // turns -0 into 0
-    return fmt::format("({:g})", fmt::join(plain.data(), plain.data() + Dim, " "));
-}
 
 template<int Dim>
 std::string doubtAbout(const Gravity<Dim>& gravity)

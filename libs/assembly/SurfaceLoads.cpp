@@ -159,11 +159,9 @@ std::pair<std::string, std::string> doubtAbout(const Assembly<Dim>& assembly, co
     Box<Dim> blocks;
     for (const Block<Dim>& block : assembly.blocks)
     {
-        const Box<Dim> box = boundingBox(block);
         if (block.support < 0)
         {
-            extend<Dim>(blocks, box.lower);
-            extend<Dim>(blocks, box.upper);
+            extend<Dim>(blocks, boundingBox(block));
         }
     }
     constexpr double deepest = 20; // [m], and heights of the blocks

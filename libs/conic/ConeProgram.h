@@ -110,8 +110,8 @@ struct Strength
 ///     maximise    f' y - 1/2 y' Mbar y - 1/2 c' C c
 ///     subject to  z = g + C c - A' y,    mu |z_t| <= z_n at every point,    L' y = 1
 ///
-/// - limit analysis (Portioli & Cascini 2017, eq. 10): `inertia` empty, so that r = 0; f dead and L live
-/// load; y is the
+/// - limit analysis (Portioli, Cascini & Landolfo 2017, eq. 10): `inertia` empty, so that r = 0; f dead and L
+/// live load; y is the
 ///   collapse mechanism, scaled so that the live load does unit work on it;
 /// - time step (eq. 9): `liveLoad` empty, so that there is no alpha; y are the displacements over the step.
 ///

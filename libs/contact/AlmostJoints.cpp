@@ -5,6 +5,7 @@
 #include "assembly/AssemblyFile.h"
 #include "contact/JointClosure.h"
 #include "contact/space/StatedJointChecks.h"
+#include "geometry/PointText.h"
 
 #include <fmt/format.h>
 
@@ -22,29 +23,31 @@ namespace
 template<int Dim>
 using Facing = std::conditional_t<Dim == 2, FacingPiece, FacingPatch>;
 
-/// `(0.5 1.2)`, as a dictionary has it.
+/// Whether the faces are where the user, or the digits of a file, say that blocks are apart.
 template<int Dim>
-std::string asWritten(const Vector<Dim>& point)
-{
-    return fmt::format("({:.6g})", fmt::join(point.data(), point.data() + Dim, " "));
-}
-
-/// Whether the faces are where the user says that blocks are apart.
-template<int Dim>
-bool isStated(const Facing<Dim>& piece, const Assembly<Dim>& assembly)
+bool isApartByTolerance(const Facing<Dim>& piece, const Assembly<Dim>& assembly)
 {
     return assembly.jointTolerance && isApart(piece) && openness(piece) > *assembly.jointTolerance;
 }
 
-/// The faces that are a fault, the farthest from meeting first.
+/// Faces that almost meet, the farthest from meeting first.
 template<int Dim>
-std::vector<Facing<Dim>> faultyPieces(const Assembly<Dim>& assembly)
+struct AlmostMeeting
+{
+    std::vector<Facing<Dim>> atFault;
+    std::vector<Facing<Dim>> apart; ///< by Assembly::jointTolerance
+};
+
+template<int Dim>
+AlmostMeeting<Dim> findAlmostMeeting(const Assembly<Dim>& assembly)
 {
     std::vector<Facing<Dim>> pieces = findAlmostJoints(assembly);
-    std::erase_if(pieces, [&](const Facing<Dim>& piece) { return isStated<Dim>(piece, assembly); });
     std::stable_sort(pieces.begin(), pieces.end(),
                      [](const Facing<Dim>& a, const Facing<Dim>& b) { return openness(a) > openness(b); });
-    return pieces;
+    const auto apart = std::stable_partition(pieces.begin(), pieces.end(),
+                                             [&](const Facing<Dim>& piece)
+                                             { return !isApartByTolerance<Dim>(piece, assembly); });
+    return {{pieces.begin(), apart}, {apart, pieces.end()}};
 }
 
 /// One digit, and more than the faces need. \param most of what faces are apart [m]
@@ -54,6 +57,7 @@ double closingTolerance(double most)
     return std::ceil(1.01 * most / unit) * unit;
 }
 
+/// \param pieces one or more at fault
 template<int Dim>
 std::string faultText(const Assembly<Dim>& assembly, const std::vector<Facing<Dim>>& pieces)
 {
@@ -76,6 +80,23 @@ std::string faultText(const Assembly<Dim>& assembly, const std::vector<Facing<Di
     return text + ". Then run blockTexture again; checkBlocks lists such faces.";
 }
 
+/// \param pieces one or more that the digits of an imported file keep apart
+template<int Dim>
+std::string apartByDigitsText(const Assembly<Dim>& assembly, const std::vector<Facing<Dim>>& pieces)
+{
+    const Facing<Dim>& worst = pieces.front();
+    return fmt::format(
+        "{} and {} almost meet: at {} their faces are {:.3g} m apart, where joints of this file "
+        "are closed up to {:.3g} m, as its coordinates are rounded.{} Without these joints the "
+        "answer is that of another structure.\n\nWhere blocks are to touch, state "
+        "`jointTolerance {:g};` [m] in system/blockTextureDict; where they are apart on purpose, "
+        "`jointTolerance {:g};`. Then run blockTexture again; checkBlocks lists such faces.",
+        blockName(assembly, worst.block), blockName(assembly, worst.neighbour),
+        asWritten<Dim>(placeOf(worst)), openness(worst), *assembly.jointTolerance,
+        pieces.size() > 1 ? fmt::format(" {} pairs of faces do so.", pieces.size()) : "",
+        closingTolerance(openness(worst)), *assembly.jointTolerance);
+}
+
 } // namespace
 
 template<int Dim>
@@ -87,7 +108,7 @@ std::string blockName(const Assembly<Dim>& assembly, int block)
 }
 
 template<int Dim>
-std::string almostJointsText(const Assembly<Dim>& assembly)
+std::string almostJointsText(const Assembly<Dim>& assembly, ToleranceOrigin tolerance)
 {
     if constexpr (Dim == 3)
     {
@@ -96,8 +117,13 @@ std::string almostJointsText(const Assembly<Dim>& assembly)
             return misplacedJointsText(assembly);
         }
     }
-    const std::vector<Facing<Dim>> pieces = faultyPieces(assembly);
-    return pieces.empty() ? "" : faultText<Dim>(assembly, pieces);
+    const AlmostMeeting<Dim> faces = findAlmostMeeting(assembly);
+    if (!faces.atFault.empty())
+    {
+        return faultText<Dim>(assembly, faces.atFault);
+    }
+    const bool areNamed = tolerance == ToleranceOrigin::ofDigits && !faces.apart.empty();
+    return areNamed ? apartByDigitsText<Dim>(assembly, faces.apart) : "";
 }
 
 namespace
@@ -115,7 +141,7 @@ std::size_t secondAtFault(const Assembly<Dim>& assembly)
             return static_cast<std::size_t>(assembly.statedJoints[static_cast<std::size_t>(joint)].neighbour);
         }
     }
-    return static_cast<std::size_t>(faultyPieces(assembly).front().neighbour);
+    return static_cast<std::size_t>(findAlmostMeeting(assembly).atFault.front().neighbour);
 }
 
 } // namespace
@@ -129,62 +155,19 @@ void refuseAlmostJoints(const Assembly<Dim>& assembly, const std::filesystem::pa
     }
 }
 
-namespace
-{
-
-/// The faces that a stated tolerance keeps apart.
-template<int Dim>
-std::vector<Facing<Dim>> piecesApart(const Assembly<Dim>& assembly)
-{
-    if (!assembly.jointTolerance)
-    {
-        return {};
-    }
-    std::vector<Facing<Dim>> pieces = findAlmostJoints(assembly);
-    std::erase_if(pieces, [&](const Facing<Dim>& piece) { return !isStated<Dim>(piece, assembly); });
-    return pieces;
-}
-
-} // namespace
-
 template<int Dim>
 int facesApartOnPurpose(const Assembly<Dim>& assembly)
 {
-    return static_cast<int>(piecesApart(assembly).size());
-}
-
-template<int Dim>
-std::string apartByDigitsText(const Assembly<Dim>& assembly)
-{
-    const std::vector<Facing<Dim>> pieces = piecesApart(assembly);
-    if (pieces.empty())
-    {
-        return {};
-    }
-    const Facing<Dim>& worst = *std::max_element(pieces.begin(), pieces.end(),
-                                                 [](const Facing<Dim>& a, const Facing<Dim>& b)
-                                                 { return openness(a) < openness(b); });
-    return fmt::format(
-        "{} and {} almost meet: at {} their faces are {:.3g} m apart, where joints of this file "
-        "are closed up to {:.3g} m, as its coordinates are rounded.{} Without these joints the "
-        "answer is that of another structure.\n\nWhere blocks are to touch, state "
-        "`jointTolerance {:g};` [m] in system/blockTextureDict; where they are apart on purpose, "
-        "`jointTolerance {:g};`. Then run blockTexture again; checkBlocks lists such faces.",
-        blockName(assembly, worst.block), blockName(assembly, worst.neighbour),
-        asWritten<Dim>(placeOf(worst)), openness(worst), *assembly.jointTolerance,
-        pieces.size() > 1 ? fmt::format(" {} pairs of faces do so.", pieces.size()) : "",
-        closingTolerance(openness(worst)), *assembly.jointTolerance);
+    return assembly.jointTolerance ? static_cast<int>(findAlmostMeeting(assembly).apart.size()) : 0;
 }
 
 template std::string blockName(const Assembly<2>& assembly, int block);
-template std::string almostJointsText(const Assembly<2>& assembly);
+template std::string almostJointsText(const Assembly<2>& assembly, ToleranceOrigin tolerance);
 template void refuseAlmostJoints(const Assembly<2>& assembly, const std::filesystem::path& caseDirectory);
 template int facesApartOnPurpose(const Assembly<2>& assembly);
-template std::string apartByDigitsText(const Assembly<2>& assembly);
 template std::string blockName(const Assembly<3>& assembly, int block);
-template std::string almostJointsText(const Assembly<3>& assembly);
+template std::string almostJointsText(const Assembly<3>& assembly, ToleranceOrigin tolerance);
 template void refuseAlmostJoints(const Assembly<3>& assembly, const std::filesystem::path& caseDirectory);
 template int facesApartOnPurpose(const Assembly<3>& assembly);
-template std::string apartByDigitsText(const Assembly<3>& assembly);
 
 } // namespace drystone

@@ -39,21 +39,25 @@ std::vector<FacingPatch> findAlmostJoints(const Assembly<3>& assembly, const Che
 template<int Dim>
 std::string blockName(const Assembly<Dim>& assembly, int block);
 
+/// Who says within what distance faces are a joint, Assembly::jointTolerance.
+enum class ToleranceOrigin
+{
+    stated,  ///< the user: faces that are farther apart are so on purpose
+    ofDigits ///< the digits of an imported file: nobody has stated that they are
+};
+
 /// What to say of faces that almost meet: how many, the pair that is farthest from meeting, and the repair.
-/// Faces that are farther apart than a stated Assembly::jointTolerance are apart on purpose and left out.
-/// Empty when there are none. Where joints are stated instead of found: misplacedJointsText.
+/// Those that are farther apart than the tolerance are left out where it is stated, and named where there are
+/// no others and it is of digits. Empty when there are none. Where joints are stated instead of found:
+/// misplacedJointsText.
 template<int Dim>
-std::string almostJointsText(const Assembly<Dim>& assembly);
+std::string almostJointsText(const Assembly<Dim>& assembly,
+                             ToleranceOrigin tolerance = ToleranceOrigin::stated);
 
 /// How many pairs of faces almost meet and are farther apart than a stated Assembly::jointTolerance; 0 where
 /// none is stated.
 template<int Dim>
 int facesApartOnPurpose(const Assembly<Dim>& assembly);
-
-/// What to say of these where the tolerance follows from the digits of an imported file: nobody has stated
-/// that they are apart on purpose. Empty when there are none.
-template<int Dim>
-std::string apartByDigitsText(const Assembly<Dim>& assembly);
 
 /// For computations, which would otherwise go on without the joints.
 /// \throws FatalIOError with almostJointsText, at the second block

@@ -20,10 +20,8 @@ AssemblyStatistics<Dim> countAssembly(const Assembly<Dim>& assembly,
         statistics.concaveBlocks += isConvexBlock(block) ? 0 : 1;
         if (block.support < 0)
         {
-            const Box<Dim> box = boundingBox(block);
             ++statistics.freeBlocks;
-            freeBox.lower = freeBox.lower.cwiseMin(box.lower);
-            freeBox.upper = freeBox.upper.cwiseMax(box.upper);
+            extend<Dim>(freeBox, boundingBox(block));
         }
     }
     statistics.blocks = static_cast<int>(assembly.blocks.size());

@@ -27,7 +27,7 @@ constexpr double sameCorner = 1e-3;
 
 /// A corner that is deep behind an edge may have come round its end if that is no farther away than so many
 /// times its depth: edges that pass it there are turned against each other by a tenth and more.
-constexpr double besideEachOther = 10;
+constexpr double reachRoundEnd = 10;
 
 /// A corner is foremost towards an edge if its own edges recede from it, up to this angle [rad]: then the
 /// line of the edge parts the blocks near there.
@@ -242,7 +242,7 @@ void MovingContacts<2>::matchEdges(int blockEdge, int neighbourEdge, double lowe
                                       : isConvexCorner[blockCorner] != 0;
         Candidate chosen = blockIsInner ? measured(0, blockCorner, neighbourEdge, blockEdge)
                                         : measured(1, neighbourCorner, blockEdge, neighbourEdge);
-        if (chosen.gap < -pointTolerance && std::abs(inward) <= besideEachOther * -chosen.gap)
+        if (chosen.gap < -pointTolerance && std::abs(inward) <= reachRoundEnd * -chosen.gap)
         {
             // Where the faces close towards this end, either line alone keeps the blocks apart. Never take
             // one that is already violated while the other is not: the corner did not come that way. But a

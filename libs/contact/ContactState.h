@@ -25,8 +25,8 @@ std::vector<Vector<Dim>> pointForces(const Eigen::VectorXd& contactForce);
 /// is open when its normal force is below `tolerance` times the largest, and slides when its shear comes
 /// within `tolerance` n of mu n.
 ///
-/// \param friction coefficient mu of each point \param cohesion shear that each carries beside it [N]; empty:
-/// none. A point in tension is open only when it carries no shear either.
+/// \param friction coefficient mu of each point \param cohesion shear that each carries in addition to it
+/// [N]; empty: none. A point in tension is open only when it carries no shear either.
 std::vector<ContactState> contactStates(std::span<const Vector<2>> forces, std::span<const double> friction,
                                         std::span<const double> cohesion = {}, double tolerance = 1e-6);
 std::vector<ContactState> contactStates(std::span<const Vector<3>> forces, std::span<const double> friction,

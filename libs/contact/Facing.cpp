@@ -149,9 +149,8 @@ void forMeetingEdges(const Assembly<2>& assembly, const std::vector<OutlineEdge>
     std::vector<int> first(blocks + 1, 0);
     for (const OutlineEdge& edge : edges) // in block order
     {
-        boxes.push_back(enlarged({edge.from.cwiseMin(edge.to), edge.from.cwiseMax(edge.to)}, reach));
-        extend<2>(boxOfBlock[edge.block], boxes.back().lower);
-        extend<2>(boxOfBlock[edge.block], boxes.back().upper);
+        boxes.push_back(enlarged<2>(boxAround<2>(edge.from, edge.to), reach));
+        extend<2>(boxOfBlock[edge.block], boxes.back());
         ++first[edge.block + 1];
     }
     std::partial_sum(first.begin(), first.end(), first.begin());

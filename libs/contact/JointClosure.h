@@ -39,8 +39,9 @@ JointTolerance jointTolerance(const Assembly<Dim>& assembly);
 void closeJoints(Assembly<2>& assembly);
 void closeJoints(Assembly<3>& assembly);
 
-/// By which faces are found that are joints, once closeJoints has seen the assembly: in the plane they meet,
-/// in space they are as near as Assembly::closure says. Pieces are longer, and patches wider, than either.
+/// How near the faces of a joint are, once closeJoints has seen the assembly: in the plane they meet, in
+/// space they are as near as Assembly::closure says. What is shorter, or narrower, than joints are closed up
+/// to is no joint.
 FacingTolerance closedFacing(const Assembly<2>& assembly);
 FacingTolerance closedFacing(const Assembly<3>& assembly);
 

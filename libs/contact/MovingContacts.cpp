@@ -42,68 +42,17 @@ std::vector<int> turningVertices(const Polygon& outline, double tolerance)
 
 MovingContacts<2>::MovingContacts(const Assembly<2>& assembly, const MovingContactOptions& options)
 {
-    const std::size_t blocks = assembly.blocks.size();
-    std::vector<AreaProperties> properties;
-    properties.reserve(blocks);
-    for (const Block<2>& block : assembly.blocks)
-    {
-        properties.push_back(areaProperties(block.outline));
-    }
     const double size = meanBlockSize(assembly);
     pointTolerance = options.tolerance * size;
     skin = options.skin * size;
     mayEnter = options.mayEnter * size;
 
     first.push_back(0);
-    for (std::size_t b = 0; b < blocks; ++b)
+    for (const Block<2>& block : assembly.blocks)
     {
-        const Polygon& outline = assembly.blocks[b].outline;
-        const std::vector<int> turning = turningVertices(outline, pointTolerance / 2);
-        const int begin = first.back();
-        const int count = static_cast<int>(turning.size());
-        double radius = 0;
-        bool isConvex = true;
-        for (int i = 0; i < count; ++i)
-        {
-            const Vector<2>& before = outline[turning[(i + count - 1) % count]];
-            const Vector<2>& here = outline[turning[i]];
-            const Vector<2>& after = outline[turning[(i + 1) % count]];
-            next.push_back(begin + (i + 1) % count);
-            previous.push_back(begin + (i + count - 1) % count);
-            vertex.push_back(turning[i]);
-            localCorner.push_back(here - properties[b].centroid);
-            edgeLength.push_back((after - here).norm());
-            localTangent.push_back((after - here) / edgeLength.back());
-            isConvexCorner.push_back(cross(here - before, after - here) > 0);
-            isConvex = isConvex && isConvexCorner.back();
-            radius = std::max(radius, localCorner.back().norm());
-        }
-        // The thickness: of a convex block the least distance between parallel supports, one of which holds
-        // an edge; of a concave one a lower bound, the least distance of a corner from an edge that does not
-        // end there.
-        double thickness = std::numeric_limits<double>::max();
-        for (int edge = begin; edge < begin + count; ++edge)
-        {
-            double farthest = 0;
-            for (int corner = begin; corner < begin + count; ++corner)
-            {
-                const Vector<2> arm = localCorner[corner] - localCorner[edge];
-                farthest = std::max(farthest, -arm.dot(outwardNormal(localTangent[edge])));
-                if (!isConvex && corner != edge && corner != next[edge])
-                {
-                    thickness = std::min(
-                        thickness, distance(localCorner[corner], localCorner[edge], localCorner[next[edge]]));
-                }
-            }
-            thickness = std::min(thickness, farthest);
-        }
-        centroids.push_back(properties[b].centroid);
-        isFixed.push_back(assembly.blocks[b].support >= 0);
-        radii.push_back(radius);
-        deepest.push_back(deepestPart * thickness);
-        leastDeepest = std::min(leastDeepest, deepest.back());
-        first.push_back(begin + count);
+        addBlock(block);
     }
+    const std::size_t blocks = assembly.blocks.size();
     for (Outlines* outlines : {&placedNow, &aheadStorage})
     {
         outlines->corner.resize(localCorner.size());
@@ -111,6 +60,63 @@ MovingContacts<2>::MovingContacts(const Assembly<2>& assembly, const MovingConta
         outlines->box.resize(blocks);
     }
     reaches.resize(blocks);
+}
+
+void MovingContacts<2>::addBlock(const Block<2>& block)
+{
+    const Polygon& outline = block.outline;
+    const Vector<2> centroid = areaProperties(outline).centroid;
+    const std::vector<int> turning = turningVertices(outline, pointTolerance / 2);
+    const int begin = first.back();
+    const int count = static_cast<int>(turning.size());
+    double radius = 0;
+    for (int i = 0; i < count; ++i)
+    {
+        const Vector<2>& before = outline[turning[(i + count - 1) % count]];
+        const Vector<2>& here = outline[turning[i]];
+        const Vector<2>& after = outline[turning[(i + 1) % count]];
+        next.push_back(begin + (i + 1) % count);
+        previous.push_back(begin + (i + count - 1) % count);
+        vertex.push_back(turning[i]);
+        localCorner.push_back(here - centroid);
+        edgeLength.push_back((after - here).norm());
+        localTangent.push_back((after - here) / edgeLength.back());
+        isConvexCorner.push_back(cross(here - before, after - here) > 0);
+        radius = std::max(radius, localCorner.back().norm());
+    }
+    first.push_back(begin + count);
+    centroids.push_back(centroid);
+    isFixed.push_back(block.support >= 0);
+    radii.push_back(radius);
+    deepest.push_back(deepestPart * thicknessOf(static_cast<int>(deepest.size())));
+    leastDeepest = std::min(leastDeepest, deepest.back());
+}
+
+/// Of a convex block the least distance between parallel supports, one of which holds an edge; of a concave
+/// one a lower bound, the least distance of a corner from an edge that does not end there.
+double MovingContacts<2>::thicknessOf(int block) const
+{
+    const int begin = first[block];
+    const int end = first[block + 1];
+    const bool isConvex = std::all_of(isConvexCorner.begin() + begin, isConvexCorner.begin() + end,
+                                      [](char isConvexThere) { return isConvexThere; });
+    double thickness = std::numeric_limits<double>::max();
+    for (int edge = begin; edge < end; ++edge)
+    {
+        double farthest = 0;
+        for (int corner = begin; corner < end; ++corner)
+        {
+            const Vector<2> arm = localCorner[corner] - localCorner[edge];
+            farthest = std::max(farthest, -arm.dot(outwardNormal(localTangent[edge])));
+            if (!isConvex && corner != edge && corner != next[edge])
+            {
+                thickness = std::min(
+                    thickness, distance(localCorner[corner], localCorner[edge], localCorner[next[edge]]));
+            }
+        }
+        thickness = std::min(thickness, farthest);
+    }
+    return thickness;
 }
 
 MovingContacts<2>::Rotation::Rotation(const Placement<2>& placement)
@@ -130,8 +136,7 @@ void MovingContacts<2>::place(Outlines& outlines, const std::vector<Placement<2>
             const Vector<2> corner = centre + turned(localCorner[i]);
             outlines.corner[i] = corner;
             outlines.tangent[i] = turned(localTangent[i]);
-            box.lower = box.lower.cwiseMin(corner);
-            box.upper = box.upper.cwiseMax(corner);
+            extend<2>(box, corner);
         }
         outlines.box[b] = box;
     }
@@ -170,8 +175,8 @@ void MovingContacts<2>::findNeighbours(double margin)
     bool isCurrent = fat.size() == reaches.size();
     for (std::size_t b = 0; b < reaches.size(); ++b)
     {
-        const BoundingBox box{placedNow.box[b].lower.cwiseMin(placedAhead->box[b].lower),
-                              placedNow.box[b].upper.cwiseMax(placedAhead->box[b].upper)};
+        BoundingBox box = placedNow.box[b];
+        extend<2>(box, placedAhead->box[b]);
         reaches[b] = enlarged(box, margin / 2);
         isCurrent = isCurrent && contains(fat[b], reaches[b]);
     }

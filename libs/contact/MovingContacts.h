@@ -173,6 +173,8 @@ private:
         int count = 0;
     };
 
+    void addBlock(const Block<2>& block);
+    double thicknessOf(int block) const;
     void place(Outlines& outlines, const std::vector<Placement<2>>& placements) const;
     /// \param turned, turnedEdge rotations of the blocks of its corner and of its edge \param point the one
     /// of that index, of which place, normal and gap are overwritten
@@ -182,24 +184,37 @@ private:
     bool isLookedAt(int block, int neighbour) const;
     Polygon outlineOf(const Outlines& outlines, int block) const;
     void findPoints(int block, int neighbour, double margin);
-    // The choice of features.
-    /// \return whether some edges face each other that are no faces of one joint
+
+    // The choice of features, of one pair of blocks after the other: gaps from `lowest` to `margin` count
+    // [m].
+    /// Edges in nearly opposite directions. \return whether some edges face each other that are no faces of
+    /// one joint
     bool pairEdges(int block, int neighbour, double lowest, double margin);
+    /// Of two such edges both ends of the piece that they share.
     void matchEdges(int blockEdge, int neighbourEdge, double lowest, double margin);
+    /// Convex corners that are the foremost of their block towards an edge of the other.
     void standCorners(int owner, int cornerBlock, int edgeBlock, double lowest, double margin);
+    /// Two convex corners near each other, each beyond the other's edges: one line that parts them.
     void guardCorners(double margin);
+    /// Lists a candidate, or where its corner is far behind the edge the line that parts the blocks there.
     void offer(const Candidate& candidate, double lowest, double margin);
     void list(const Candidate& candidate);
+    /// Of candidates that exclude each other keeps the one through which its corner has come.
     void dropDeeper();
     void sortCandidates();
     void addFound();
-    // What it asks.
+
+    // Questions of that choice.
     bool mayMeet(int blockEdge, int neighbourEdge, double lowest, double margin) const;
     Candidate measured(int owner, int corner, int edge, int pairedEdge) const;
+    /// The corner at that end of the candidate's edge which its corner is nearer to.
     int nearerEnd(const Candidate& candidate) const;
+    /// Whether the edges of its corner recede from its edge. \param angle by which they need not [rad]
     bool isForemost(const Candidate& candidate, const Outlines& at, double angle) const;
     CornerLines linesBetween(int blockCorner, int neighbourCorner, const Outlines& at, double angle) const;
+    /// The line that parts the blocks near the candidate with the most room ahead; its edge is -1: none does.
     Candidate partingLine(const Candidate& candidate) const;
+    /// Whether a point is in a block, or within `reach` of it [m].
     bool holds(int block, const Vector<2>& point, double reach) const;
     bool isOverlapped(const Candidate& candidate) const;
     bool excludeEachOther(const Candidate& a, const Candidate& b) const;

@@ -104,7 +104,7 @@ public:
         using Model = typename detail::IsNamedVector<std::vector<Named>>::Inner;
         static_assert(Declared<Model>);
         Option& option = addOwnNames(doc);
-        option.describeMembers = [](OptionDescription& about) { about.members = describeOptions<Model>(); };
+        option.describeMembers = describeMembersOf<Model>;
         option.readValue = [&field](const Entry& entry, const Option&)
         {
             Named named{};
@@ -170,79 +170,109 @@ private:
     template<class Value>
     static void bind(Option& option, Value& field)
     {
-        using Form = OptionDescription::Form;
         if constexpr (detail::IsOptional<Value>::value)
         {
-            using Inner = typename detail::IsOptional<Value>::Inner;
-            // Bound to a field of its own, which becomes the value once it has been read.
-            auto inner = std::make_shared<Inner>(detail::blank<Inner>());
-            bind(option, *inner);
-            option.about.allowAbsence();
-            option.about.defaultText.clear();
-            option.readValue =
-                [inner, &field, readInner = option.readValue](const Entry& entry, const Option& self)
-            {
-                *inner = detail::blank<Inner>();
-                readInner(entry, self);
-                field = std::move(*inner);
-            };
+            bindOptional(option, field);
         }
         else if constexpr (Declared<Value>)
         {
-            describeAs(option, Form::dictionary, "dictionary");
-            option.describeMembers = [](OptionDescription& about)
-            { about.members = describeOptions<Value>(); };
-            option.readValue = [&field](const Entry& entry, const Option&)
-            { readOptions(entry.dictionary(), field); };
+            bindDictionary(option, field);
         }
         else if constexpr (detail::IsNamedVector<Value>::value)
         {
-            using Model = typename detail::IsNamedVector<Value>::Inner;
-            static_assert(Declared<Model>, "the structure needs a `declare`");
-            describeAs(option, Form::namedDictionaries, "dictionary of dictionaries");
-            option.describeMembers = [](OptionDescription& about)
-            { about.members = describeOptions<Model>(); };
-            option.readValue = [&field](const Entry& entry, const Option&) {
-                readNamed(entry, field,
-                          [](const Dictionary& dictionary) { return readOptions<Model>(dictionary); });
-            };
+            bindNamedDictionaries(option, field);
         }
         else if constexpr (isListOfDeclared<Value>())
         {
-            using Model = typename detail::IsVector<Value>::Inner;
-            describeAs(option, Form::dictionaryList, "list of dictionaries");
-            option.describeMembers = [](OptionDescription& about)
-            { about.members = describeOptions<Model>(); };
-            option.readValue = [&field](const Entry& entry, const Option&)
-            {
-                field.clear();
-                for (const Dictionary& dictionary : entry.as<std::vector<Dictionary>>())
-                {
-                    field.push_back(readOptions<Model>(dictionary));
-                }
-            };
+            bindDictionaryList(option, field);
         }
         else
         {
-            option.about.type = detail::typeNameOf<Value>();
-            if (option.about.presence == OptionDescription::Presence::hasDefault)
-            {
-                option.about.defaultText = detail::textOf(field);
-            }
-            if constexpr (detail::NamedEnumeration<Value>)
-            {
-                for (const auto& [name, value] : namesOf(Value{}))
-                {
-                    option.about.words.emplace_back(name);
-                }
-            }
-            option.readValue = [&field](const Entry& entry, const Option& self)
-            {
-                readPlain(entry, self, field);
-                detail::visitNumbers(field, [&](double number) { self.checkNumber(number, entry); });
-                detail::visitWords(field, [&](const std::string& word) { self.checkWord(word, entry); });
-            };
+            bindPlain(option, field);
         }
+    }
+
+    /// To a field of its own, which becomes the value once it has been read.
+    template<class Inner>
+    static void bindOptional(Option& option, std::optional<Inner>& field)
+    {
+        auto inner = std::make_shared<Inner>(detail::blank<Inner>());
+        bind(option, *inner);
+        option.about.allowAbsence();
+        option.about.defaultText.clear();
+        option.readValue =
+            [inner, &field, readInner = option.readValue](const Entry& entry, const Option& self)
+        {
+            *inner = detail::blank<Inner>();
+            readInner(entry, self);
+            field = std::move(*inner);
+        };
+    }
+
+    template<Declared Value>
+    static void bindDictionary(Option& option, Value& field)
+    {
+        describeAs(option, OptionDescription::Form::dictionary, "dictionary");
+        option.describeMembers = describeMembersOf<Value>;
+        option.readValue = [&field](const Entry& entry, const Option&)
+        { readOptions(entry.dictionary(), field); };
+    }
+
+    template<class Value>
+    static void bindNamedDictionaries(Option& option, Value& field)
+    {
+        using Model = typename detail::IsNamedVector<Value>::Inner;
+        static_assert(Declared<Model>, "the structure needs a `declare`");
+        describeAs(option, OptionDescription::Form::namedDictionaries, "dictionary of dictionaries");
+        option.describeMembers = describeMembersOf<Model>;
+        option.readValue = [&field](const Entry& entry, const Option&) {
+            readNamed(entry, field,
+                      [](const Dictionary& dictionary) { return readOptions<Model>(dictionary); });
+        };
+    }
+
+    template<Declared Model>
+    static void bindDictionaryList(Option& option, std::vector<Model>& field)
+    {
+        describeAs(option, OptionDescription::Form::dictionaryList, "list of dictionaries");
+        option.describeMembers = describeMembersOf<Model>;
+        option.readValue = [&field](const Entry& entry, const Option&)
+        {
+            field.clear();
+            for (const Dictionary& dictionary : entry.as<std::vector<Dictionary>>())
+            {
+                field.push_back(readOptions<Model>(dictionary));
+            }
+        };
+    }
+
+    template<class Value>
+    static void bindPlain(Option& option, Value& field)
+    {
+        option.about.type = detail::typeNameOf<Value>();
+        if (option.about.presence == OptionDescription::Presence::hasDefault)
+        {
+            option.about.defaultText = detail::textOf(field);
+        }
+        if constexpr (detail::NamedEnumeration<Value>)
+        {
+            for (const auto& [name, value] : namesOf(Value{}))
+            {
+                option.about.words.emplace_back(name);
+            }
+        }
+        option.readValue = [&field](const Entry& entry, const Option& self)
+        {
+            readPlain(entry, self, field);
+            detail::visitNumbers(field, [&](double number) { self.checkNumber(number, entry); });
+            detail::visitWords(field, [&](const std::string& word) { self.checkWord(word, entry); });
+        };
+    }
+
+    template<class Model>
+    static void describeMembersOf(OptionDescription& about)
+    {
+        about.members = describeOptions<Model>();
     }
 
     /// A value that is no dictionary, with the dimensions before it.

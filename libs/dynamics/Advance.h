@@ -9,7 +9,7 @@
 namespace drystone
 {
 
-/// One step (Portioli & Cascini 2017, eq. 1-9), in the stages of Step.h:
+/// One step (Portioli, Cascini & Landolfo 2017, eq. 1-9), in the stages of Step.h:
 ///
 /// 1. findContacts: contact points where blocks touch or may meet within the step;
 /// 2. assemble: the theta step as a cone program;

@@ -17,11 +17,11 @@ template<int Dim>
 std::vector<double> motionsOfBlocks(const Eigen::VectorXd& rows, double blockSize);
 
 /// A guess from the velocities at the start of the step, after its impacts, and from the forces of the last
-/// one: blocks that are slower than 1e-9 of the fastest are held; others
-/// are one where they touch at a closed point that carries a force, turn alike and have not moved against
-/// each other there, all to less than a gap that is kept. Where that makes hardly fewer bodies, blocks about
-/// those that move are not held but simulated, as a buffer: then what moves presses upon them with forces
-/// that they can hand on. Holds a reference to the step.
+/// one: blocks that are slower than 1e-9 of the fastest are held; others are one where they touch at a closed
+/// point that carries a force, turn alike and have not moved against each other there, all to less than a gap
+/// that is kept. Where that makes hardly fewer bodies, blocks about those that move are not held but
+/// simulated, as a buffer: then what moves presses upon them with forces that they can hand on. Holds a
+/// reference to the step.
 template<int Dim>
 class GroupChoice
 {

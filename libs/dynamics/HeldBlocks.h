@@ -17,13 +17,13 @@ namespace drystone
 ///
 /// is left to the points within the bodies. These are closed and neither open nor slide, as bodies are rigid:
 /// z = g - A'y = 0, or g > 0 where they carry nothing. Together with forces c_I in their cones that balance
-/// what is lacking, A_I c_I = f - Mbar y - A_O c_O, it is a solution of the program of all blocks: each of
-/// the conditions of optimality belongs to a point of one kind or the other, and y is unique: by the
-/// associative law. Its certificate is the larger of those of the two parts,
-/// with the tolerance of every step. For what is held this says that forces at rest exist; for what moves,
-/// that they exist in axes that move along with the body, with its inertial forces among the loads. c_I is
-/// found from the forces of the last step (HoldingForces.h). Points of bodies, and of what is held, keep the
-/// gaps that they had, which are within the error that each step is allowed in them.
+/// what is lacking, A_I c_I = f - Mbar y - A_O c_O, it is by the associative law a solution of the program of
+/// all blocks, since each of the conditions of optimality belongs to a point of one kind or the other; and y
+/// is unique. Its certificate is the larger of those of the two parts, with the tolerance of every step. For
+/// what is held this says that forces at rest exist; for what moves, that they exist in axes that move along
+/// with the body, with its inertial forces among the loads. c_I is found from the forces of the last step
+/// (HoldingForces.h). Points of bodies, and of what is held, keep the gaps that they had, which are within
+/// the error that each step is allowed in them.
 ///
 /// Which blocks are held, or are one, is a guess, from their velocities, that the proof does not depend on
 /// (GroupChoice.h). c_O is not unique, and of those that what is held could bear as ground most are more than
@@ -47,11 +47,10 @@ void forgetBodies(Step<Dim>& step);
 /// Why steps in which anything moves are taken with all blocks as bodies of their own; empty: they need not
 /// be. Points that give way do so at rest too. With theta below 1 plastic impacts are instants of their own:
 /// which points take part in one follows from the forces of the step, of which there are many, and other ones
-/// come of fewer bodies. By Coulomb's law, for
-/// which c_I and y are a solution, too, it is not the only one: a block that the pressure of a head joint
-/// could hold rests or moves; steps in which nothing
-/// slides are taken by the associative law in space and in columns (StickingStep.h). \param flowRule that the
-/// steps are solved by
+/// come of fewer bodies. By Coulomb's law c_I and y (see solveAwake) are a solution, too, but not the only
+/// one: a block that the pressure of a head joint could hold rests or moves. Steps in which nothing slides
+/// are taken by the associative law, in space and in columns (StickingStep.h). \param flowRule that the steps
+/// are solved by
 template<int Dim>
 std::string_view whyAllBlocks(const DynamicCase<Dim>& scene, FlowRule flowRule);
 

@@ -101,15 +101,17 @@ inline double turnMomenta(const Step<2>&, const Eigen::VectorXd&, const Eigen::V
 double turnMomenta(const Step<3>& step, const Eigen::VectorXd& displacement,
                    const Eigen::VectorXd& contactForce, StepProgram<3>& program);
 
-/// Corrects the linear prediction of the gaps of moving contacts; see Relinearisation. The step is not owned.
+/// Corrects the linear prediction of the gaps and slips of moving contacts; see Relinearisation. The step is
+/// not owned.
 ///
 /// The angular momentum of a block about a fixed point changes over a step by c1 x m v1 - c0 x m v0 + J (w1 -
 /// w0), c its mass centre. With c1 - c0 = dt (theta v1 + (1 - theta) v0) the first two are (c0 + (1 - theta)
 /// (c1 - c0)) x m (v1 - v0): lever arms are to be taken there. For theta 1 these are the arms at the start,
 /// for theta 1/2 those halfway.
-/// Of the slip of a point, too: blocks that turn together by a finite angle do not slide on each other, but
-/// linear prediction says they do, in proportion to the square of the angle; and where many blocks do so,
-/// locked together, no forces would make it vanish.
+///
+/// Blocks that turn together by a finite angle do not slide on each other, but by the linear prediction they
+/// do, in proportion to the square of the angle; and where many blocks do so, locked together, no forces
+/// would make that slip vanish.
 template<int Dim>
 Relinearisation<Dim> movingContactGeometry(const Step<Dim>& step);
 

@@ -19,8 +19,8 @@ namespace drystone
 /// Loads are f0 + sum_k a_k L_k, f0 the dead load and L_k the directions in which effects load the structure.
 /// Known are the forces c_0 of f0, well inside the cones, and those at which the structure is about to move,
 /// found when a load first needs them: for each sign of each L_k the largest factor s_k, or 1e-4 less, which
-/// is the multiplier of limit analysis (Portioli & Cascini 2017, eq. 10), and likewise for sums of several
-/// s_k L_k. With b_k = |a_k|/s_k in falling order and S_i the first i of the directions in it,
+/// is the multiplier of limit analysis (Portioli, Cascini & Landolfo 2017, eq. 10), and likewise for sums of
+/// several s_k L_k. With b_k = |a_k|/s_k in falling order and S_i the first i of the directions in it,
 ///
 ///     sum_k a_k L_k = sum_i (b_i - b_i+1) (sum of s_k L_k over S_i),
 ///

@@ -59,7 +59,7 @@ void refuseStartOverlaps(const Assembly<Dim>& assembly, const std::vector<Placem
         fmt::format(
             "At the start {} is {:.3g} m deep in {}. Blocks may touch, but not share space: correct "
             "displacement and rotation. A block that starts tilted about one of its corners has no "
-            "displacement but, beside its rotation, `about ({});`, the place of that corner as built.",
+            "displacement but, besides its rotation, `about ({});`, the place of that corner as built.",
             blockName(assembly, displaced), deepest.depth, blockName(assembly, other),
             Dim == 2 ? "x y" : "x y z"),
         places[static_cast<std::size_t>(displaced)]);

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// One step of the theta method as a cone program: Portioli & Cascini 2017, eq. 1-9.
+/// One step of the theta method as a cone program: Portioli, Cascini & Landolfo 2017, eq. 1-9.
 #pragma once
 
 #include "conic/Certificate.h"

@@ -19,14 +19,15 @@ EffectType<Dim> cohesionType()
         "cohesion",
         [](Options& options, ContactProperties& contact)
         {
-            options.optional("cohesion", contact.cohesion,
-                             "shear of the joints beside friction, in motion until they break; absent: none");
+            options.optional(
+                "cohesion", contact.cohesion,
+                "shear of the joints besides friction, in motion until they break; absent: none");
         },
         [](const ContactProperties& contact)
         { return contact.cohesion.has_value() || isInJoints(contact, &JointProperties::cohesion); },
         noEffect<Dim>,
         {[](Options& options, JointProperties& properties)
-         { options.optional("cohesion", properties.cohesion, "shear beside friction"); },
+         { options.optional("cohesion", properties.cohesion, "shear besides friction"); },
          [](const JointOfCase& joint, double area, PointLaw& law)
          { law.cohesion = cohesionOf(joint) * area; }});
 }

@@ -105,7 +105,7 @@ template<int Dim>
 EffectType<Dim> dampingType()
 {
     return effectType<Dim, Damping>(
-        "damping", "losses beside friction and impact, in motion; absent: none",
+        "damping", "losses besides friction and impact, in motion; absent: none",
         [](Damping damping, const EffectSource<Dim>& source) -> std::shared_ptr<const Effect<Dim>>
         {
             if (damping.equivalentToHousner)

@@ -49,11 +49,6 @@ Eigen::VectorXd massDiagonal(const Assembly<2>& assembly, const std::vector<Bloc
 void setMass(Structure<2>& structure, const std::vector<double>& densities);
 void setMass(Structure<3>& structure, const std::vector<double>& densities);
 
-/// The placements moved by displacements of the free blocks, ux uy uz rx ry rz each, times `share`; as of the
-/// plane in assembly/Assembly.h. Rotation vectors are composed. \param free see freeIndices
-std::vector<Placement<3>> moved(std::vector<Placement<3>> placements, const std::vector<int>& free,
-                                const Eigen::VectorXd& displacement, double share = 1);
-
 /// Of any block, that of its turning about as far from its mass centre as blocks are large [m].
 template<int Dim>
 double farthestMotion(const Eigen::VectorXd& displacement, double blockSize);

@@ -111,11 +111,6 @@ std::shared_ptr<const GroundAcceleration> historyOf(const Table& displacement, c
                                                  Interpolation::linear, OutOfBounds::zero);
 }
 
-} // namespace
-
-namespace
-{
-
 /// What a support turns about: in the plane there is no choice.
 void declareAxis(Options&, SupportMotionSettings<2>&) {}
 void declareAxis(Options& options, SupportMotionSettings<3>& settings)
@@ -206,32 +201,8 @@ namespace
 template<int Dim>
 double sizeOf(const Assembly<Dim>& assembly)
 {
-    if (assembly.blocks.empty())
-    {
-        return 0;
-    }
-    Box<Dim> all = boundingBox(assembly.blocks.front());
-    for (const Block<Dim>& block : assembly.blocks)
-    {
-        const Box<Dim> box = boundingBox(block);
-        extend(all, box.lower);
-        extend(all, box.upper);
-    }
-    return (all.upper - all.lower).norm();
-}
-
-/// The places at the times of a table of velocities, from 0.
-Table placesOf(const Table& velocity)
-{
-    Table places;
-    for (std::size_t i = 0; i < velocity.size(); ++i)
-    {
-        const double way = i == 0 ? 0
-                                  : (velocity[i].first - velocity[i - 1].first)
-                                        * (velocity[i].second + velocity[i - 1].second) / 2;
-        places.emplace_back(velocity[i].first, i == 0 ? 0 : places.back().second + way);
-    }
-    return places;
+    const Box<Dim> all = boundingBox(assembly);
+    return assembly.blocks.empty() ? 0 : (all.upper - all.lower).norm();
 }
 
 /// The value of a table that is farthest from 0; 0 where it has none.
@@ -243,6 +214,18 @@ double farthestOf(const Table& table)
         farthest = std::abs(value) > std::abs(farthest) ? value : farthest;
     }
     return farthest;
+}
+
+/// The places at the times of a table of velocities, from 0.
+Table placesOf(const Table& velocity)
+{
+    const std::shared_ptr<const GroundAcceleration> history = historyOf({}, velocity);
+    Table places;
+    for (const auto& [time, value] : velocity)
+    {
+        places.emplace_back(time, history->integral(velocity.front().first, time));
+    }
+    return places;
 }
 
 /// Questions a support that moves farther than the structure is large: millimetres, probably.
@@ -322,7 +305,6 @@ std::vector<SupportMotion<Dim>> readSupportMotions(const Dictionary& dictionary,
                                dictionary.locationOf(name));
         }
         SupportMotion<Dim> motion;
-        questionMotion(settings, dictionary.subDict(name), assembly);
         motion.support = static_cast<int>(found - supports.begin());
         motion.direction = settings.direction.norm() > 0 ? Vector<Dim>(settings.direction.stableNormalized())
                                                          : Vector<Dim>(Vector<Dim>::Zero());
@@ -338,6 +320,7 @@ std::vector<SupportMotion<Dim>> readSupportMotions(const Dictionary& dictionary,
             throw FatalIOError(std::string("Not a table of a motion: ") + error.what() + ".",
                                dictionary.locationOf(name));
         }
+        questionMotion(settings, dictionary.subDict(name), assembly);
         motions.push_back(std::move(motion));
     }
     return motions;

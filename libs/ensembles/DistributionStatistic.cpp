@@ -261,7 +261,7 @@ void addFractiles(const std::vector<double>& fractiles, const std::vector<double
 /// Without GSL's inverse, which does not converge for some degrees, as 2320.
 double chiSquaredQuantile(double probability, double degrees)
 {
-    const double high = 10 * degrees + 100; // far beyond any part that is asked for
+    const double high = 10 * degrees + 100; // far beyond any part that is requested
     return bisected(0, high, [=](double value) { return gsl_cdf_chisq_P(value, degrees) < probability; });
 }
 

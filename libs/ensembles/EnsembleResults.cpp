@@ -249,7 +249,7 @@ SampleTable collectSamples(const Ensemble& ensemble, std::map<long, SampleRow>& 
     table.names = namesIn(settings.variables, settings.results);
     table.columns.resize(table.names.size());
     table.texts.resize(table.variables);
-    table.asked = ensemble.samples();
+    table.requested = ensemble.samples();
     table.sensitivityRuns = settings.design.sensitivity ? static_cast<long>(table.variables) + 2 : 0;
     for (const auto& [sample, row] : rows)
     {

@@ -17,6 +17,7 @@ SampleTable collectSamples(const Ensemble& ensemble, std::map<long, SampleRow>& 
 /// - statistics.dat: `statistic quantity value standardError lower upper`, nan for what is not known; and
 ///   <statistic>.dat with the curve or histogram;
 /// - <statistic>.svg, and scatter_<variable>.svg: the first result over each variable.
+///
 /// Prints what they say. All but cpuTime is the same for any number of processes and any interruption.
 /// \return 0; 2 when more than maximumPart of the samples have failed
 int writeEnsemble(const Ensemble& ensemble, const std::map<long, SampleRow>& rows, const SampleTable& table);

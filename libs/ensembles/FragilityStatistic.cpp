@@ -1,14 +1,12 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The statistic `fragility`: samples into stripes, or into the intensities at which curves first fail.
-#include "ensembles/Fragility.h"
+/// The statistic `fragility`: the curve of samples, with its confidence band and its picture.
+#include "ensembles/FragilityObservations.h"
 #include "ensembles/StatisticTypes.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 
 namespace drystone
 {
@@ -26,12 +24,9 @@ std::array<std::pair<std::string_view, FragilityMethod>, 2> namesOf(FragilityMet
              {"truncatedIDA", FragilityMethod::truncatedIDA}}};
 }
 
-struct FragilitySettings
+struct FragilitySettings : FragilityNames
 {
-    std::string intensity;
-    std::string exceeded;
     FragilityMethod method = FragilityMethod::multipleStripe;
-    std::optional<std::string> curve;
     int bootstrap = 1000;
     int seed = 1;
 };
@@ -65,105 +60,6 @@ void declare(Options& options, FragilitySettings& settings)
                          "they have in common, as `curve record;`."
                        : "";
         });
-}
-
-/// Whether failed samples, whose result is not known, count as exceeded.
-enum class FailedAs
-{
-    standing,
-    fallen
-};
-
-/// The samples of a fragility: intensity, and whether they exceeded.
-struct Observations
-{
-    std::vector<double> intensity;
-    std::vector<char> exceeded;
-    std::vector<std::string> curve; ///< empty without curves
-    std::size_t failures = 0;
-    std::size_t undefined = 0; ///< of these: samples that were run, with no value of `exceeded`
-    std::size_t unplaced = 0;  ///< samples without an intensity, where it is a result; in no other list
-    std::size_t numbers = 0;   ///< samples with a value of `exceeded` that is neither 0 nor 1
-};
-
-Observations observationsOf(const FragilitySettings& settings, const SampleTable& table, FailedAs failedAs)
-{
-    Observations found;
-    const std::vector<double> intensities = valuesOf(settings.intensity, table);
-    const std::vector<double> exceeded = valuesOf(settings.exceeded, table);
-    const std::size_t curve =
-        settings.curve ? static_cast<std::size_t>(
-            std::find(table.names.begin(), table.names.end(), *settings.curve) - table.names.begin())
-                       : 0;
-    for (std::size_t row = 0; row < table.rows(); ++row)
-    {
-        if (!std::isfinite(intensities[row]))
-        {
-            ++found.unplaced;
-            continue;
-        }
-        const bool isUnknown = table.isFailed[row] || std::isnan(exceeded[row]);
-        found.failures += isUnknown;
-        found.undefined += isUnknown && !table.isFailed[row];
-        found.numbers += !isUnknown && exceeded[row] != 0 && exceeded[row] != 1;
-        found.intensity.push_back(intensities[row]);
-        found.exceeded.push_back(isUnknown ? failedAs == FailedAs::fallen : exceeded[row] != 0);
-        if (settings.curve)
-        {
-            found.curve.push_back(table.texts[curve][row]);
-        }
-    }
-    return found;
-}
-
-std::vector<Stripe> stripesOf(const Observations& observations)
-{
-    std::map<double, Stripe> stripes;
-    for (std::size_t i = 0; i < observations.intensity.size(); ++i)
-    {
-        Stripe& stripe = stripes[observations.intensity[i]];
-        stripe.intensity = observations.intensity[i];
-        ++stripe.runs;
-        stripe.exceeded += observations.exceeded[i] != 0;
-    }
-    std::vector<Stripe> sorted;
-    for (const auto& [intensity, stripe] : stripes)
-    {
-        sorted.push_back(stripe);
-    }
-    return sorted;
-}
-
-/// The curves that samples are points of.
-struct CurvesOfSamples : TruncatedCurves
-{
-    std::size_t repeated = 0; ///< samples at an intensity at which their curve has another one
-};
-
-CurvesOfSamples curvesOf(const Observations& observations)
-{
-    struct Tried
-    {
-        double failing = HUGE_VAL;
-        double highest = 0;
-        std::set<double> intensities;
-    };
-    CurvesOfSamples result;
-    std::map<std::string, Tried> curves;
-    for (std::size_t i = 0; i < observations.intensity.size(); ++i)
-    {
-        const double intensity = observations.intensity[i];
-        Tried& curve = curves[observations.curve[i]];
-        result.repeated += !curve.intensities.insert(intensity).second;
-        curve.highest = std::max(curve.highest, intensity);
-        curve.failing = observations.exceeded[i] ? std::min(curve.failing, intensity) : curve.failing;
-    }
-    for (const auto& [name, curve] : curves)
-    {
-        const bool fails = std::isfinite(curve.failing);
-        (fails ? result.failing : result.standing).push_back(fails ? curve.failing : curve.highest);
-    }
-    return result;
 }
 
 std::optional<FragilityFit> fitOf(FragilityMethod method, const Observations& observations)

@@ -4,6 +4,7 @@
 
 #include "core/Error.h"
 #include "effects/GroundMotion.h"
+#include "geometry/BroadPhase.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -70,6 +71,61 @@ void requireRocking(const HousnerCase& housner, const Placement<2>& placement, c
     }
 }
 
+int onlyFreeBlock(const Assembly<2>& assembly)
+{
+    const std::vector<int> free = freeIndices(assembly);
+    const auto freeBlocks = std::count_if(free.begin(), free.end(), [](int index) { return index >= 0; });
+    if (freeBlocks != 1)
+    {
+        refuse(fmt::format("it has one free block, and this one has {}.", freeBlocks));
+    }
+    return static_cast<int>(std::find(free.begin(), free.end(), 0) - free.begin());
+}
+
+/// Of a block that is an upright rectangle.
+Box<2> rectangleOf(const Polygon& outline)
+{
+    const Box<2> box = boundingBox(outline);
+    const double size = (box.upper - box.lower).maxCoeff();
+    for (const Vector<2>& corner : outline)
+    {
+        const Vector<2> fromSides = (corner - box.lower).cwiseAbs().cwiseMin((corner - box.upper).cwiseAbs());
+        if (fromSides.maxCoeff() > 1e-9 * size)
+        {
+            refuse("its block is an upright rectangle.");
+        }
+    }
+    if (outline.size() != 4)
+    {
+        refuse("its block is an upright rectangle of four corners.");
+    }
+    return box;
+}
+
+void requireGravityAlone(const DynamicCase<2>& scene)
+{
+    if (!(scene.gravity.y() < 0) || scene.gravity.x() != 0)
+    {
+        refuse("gravity is along -y.");
+    }
+    if (scene.contact.restitution || traitsOf(scene.effects).isCompliant
+        || traitsOf(scene.effects).actsOnBlocks)
+    {
+        refuse("impacts are plastic and there is no damping: remove restitution, elasticity and damping.");
+    }
+}
+
+void requireNoSliding(const RockingBlock& block, double friction)
+{
+    if (friction < block.width / block.height)
+    {
+        refuse(
+            fmt::format("its block does not slide: give it a friction of at least its width over its height, "
+                        "{:g}.",
+                        block.width / block.height));
+    }
+}
+
 } // namespace
 
 std::unique_ptr<GroundAcceleration> housnerGround(const AccuracyCase<2>& study)
@@ -90,58 +146,11 @@ HousnerCase housnerCase(const AccuracyCase<2>& study)
 {
     const DynamicCase<2>& scene = *study.scene;
     HousnerCase result;
-    int freeBlocks = 0;
-    for (std::size_t block = 0; block < scene.assembly.blocks.size(); ++block)
-    {
-        if (scene.assembly.blocks[block].support < 0)
-        {
-            ++freeBlocks;
-            result.index = static_cast<int>(block);
-        }
-    }
-    if (freeBlocks != 1)
-    {
-        refuse(fmt::format("it has one free block, and this one has {}.", freeBlocks));
-    }
-    const Polygon& outline = scene.assembly.blocks[static_cast<std::size_t>(result.index)].outline;
-    Vector<2> low = outline.front();
-    Vector<2> high = outline.front();
-    for (const Vector<2>& corner : outline)
-    {
-        low = low.cwiseMin(corner);
-        high = high.cwiseMax(corner);
-    }
-    const double size = (high - low).maxCoeff();
-    for (const Vector<2>& corner : outline)
-    {
-        if ((corner - low).cwiseAbs().cwiseMin((corner - high).cwiseAbs()).maxCoeff() > 1e-9 * size)
-        {
-            refuse("its block is an upright rectangle.");
-        }
-    }
-    if (outline.size() != 4)
-    {
-        refuse("its block is an upright rectangle of four corners.");
-    }
-    const Vector<2>& gravity = scene.gravity;
-    if (!(gravity.y() < 0) || gravity.x() != 0)
-    {
-        refuse("gravity is along -y.");
-    }
-    if (scene.contact.restitution || traitsOf(scene.effects).isCompliant
-        || traitsOf(scene.effects).actsOnBlocks)
-    {
-        refuse("impacts are plastic and there is no damping: remove restitution, elasticity and damping.");
-    }
-    result.block = {high.x() - low.x(), high.y() - low.y(), -gravity.y()};
-    const double friction = scene.contact.friction ? scene.contact.friction->mu : 0;
-    if (friction < result.block.width / result.block.height)
-    {
-        refuse(
-            fmt::format("its block does not slide: give it a friction of at least its width over its height, "
-                        "{:g}.",
-                        result.block.width / result.block.height));
-    }
+    result.index = onlyFreeBlock(scene.assembly);
+    const Box<2> box = rectangleOf(scene.assembly.blocks[static_cast<std::size_t>(result.index)].outline);
+    requireGravityAlone(scene);
+    result.block = {box.upper.x() - box.lower.x(), box.upper.y() - box.lower.y(), -scene.gravity.y()};
+    requireNoSliding(result.block, scene.contact.friction ? scene.contact.friction->mu : 0);
     const Placement<2>& placement = study.start.placements[static_cast<std::size_t>(result.index)];
     result.start = {study.start.time, placement.rotation, study.start.velocity[2]};
     requireRocking(result, placement, study.start.velocity.head<2>());

@@ -108,14 +108,19 @@ void SampleCase::build(const Dictionary& texture)
 Dictionary SampleCase::dictionaryOfBlocks() const
 {
     const fs::path& directory = ensemble.caseDirectory;
-    return Dictionary::readFile(ensemble.settings.runs("blockTexture") ? directory / textureFile
-                                                                       : assemblyFile(directory));
+    return ensemble.settings.runs("blockTexture") ? Dictionary::readFile(directory / textureFile)
+                                                  : readFileOfBlocks(directory);
+}
+
+int SampleCase::dimensions(const Dictionary& blocks) const
+{
+    return ensemble.settings.runs("blockTexture") ? dimensionsOf(blocks) : dimensionsOfBlocks(blocks);
 }
 
 std::optional<LimitAnalysisCase<2>> SampleCase::readPlane()
 {
     const Dictionary dictionary = dictionaryOfBlocks();
-    if (dimensionsOf(dictionary) != 2)
+    if (dimensions(dictionary) != 2)
     {
         return {};
     }

@@ -30,6 +30,9 @@ public:
     /// The dictionary of the blocks: of a texture, or of the assembly that is there.
     Dictionary dictionaryOfBlocks() const;
 
+    /// 2 (plane) or 3 (space). \param blocks see dictionaryOfBlocks
+    int dimensions(const Dictionary& blocks) const;
+
     /// The blocks of this dictionary, with their contact points. Most samples differ in properties or loads,
     /// not in blocks: those of the last sample are kept. \throws FatalError
     template<int Dim>

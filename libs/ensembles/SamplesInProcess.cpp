@@ -2,7 +2,6 @@
 /// The applications of an ensemble, one after the other, on the case of each sample.
 #include "ensembles/SamplesInProcess.h"
 
-#include "assembly/AssemblyFile.h"
 #include "conic/form/Form.h"
 #include "dynamics/Advance.h"
 #include "ensembles/IncrementalDynamicsCase.h"
@@ -12,7 +11,6 @@
 #include "quantities/TableLine.h"
 #include "statics/LaneAnalyses.h"
 #include "statics/SolveCase.h"
-#include "texture/Texture.h"
 
 #include <fmt/format.h>
 
@@ -52,43 +50,32 @@ struct SamplesInProcess::Cases
         beginFromReferences();
         std::fill(results.begin(), results.end(), std::nan(""));
         sampleCase.setEntries(values);
-        if (runs("blockTexture"))
-        {
-            const Dictionary dictionary = sampleCase.dictionaryOfBlocks();
-            dimensionsOf(dictionary) == 3 ? runBuilt<3>(dictionary) : runBuilt<2>(dictionary);
-        }
-        else
-        {
-            assemblyDimensions(ensemble.caseDirectory) == 3 ? runAsItStands<3>() : runAsItStands<2>();
-        }
+        const Dictionary blocks = sampleCase.dictionaryOfBlocks();
+        sampleCase.dimensions(blocks) == 3 ? runApplications<3>(blocks) : runApplications<2>(blocks);
         return results;
     }
 
     bool runs(const std::string& application) const { return ensemble.settings.runs(application); }
 
     template<int Dim>
-    void runBuilt(const Dictionary& dictionary)
+    void runApplications(const Dictionary& blocks)
     {
-        if (runs("contactDynamics") || runs("incrementalDynamics"))
+        if (runs("blockTexture") && (runs("contactDynamics") || runs("incrementalDynamics")))
         {
-            sampleCase.build<Dim>(dictionary);
+            sampleCase.build<Dim>(blocks);
         }
         if (runs("limitAnalysis"))
         {
-            analyse<Dim>(sampleCase.soundOf<Dim>(dictionary));
+            analyse<Dim>(sampleCase.soundOf<Dim>(blocks));
         }
-        runMotions<Dim>();
-    }
-
-    /// With the blocks of constant/assembly.
-    template<int Dim>
-    void runAsItStands()
-    {
-        if (runs("limitAnalysis"))
+        if (runs("contactDynamics"))
         {
-            analyse<Dim>(sampleCase.soundOf<Dim>(sampleCase.dictionaryOfBlocks()));
+            move<Dim>();
         }
-        runMotions<Dim>();
+        if (runs("incrementalDynamics"))
+        {
+            findLeastIntensities<Dim>();
+        }
     }
 
     template<int Dim>
@@ -174,19 +161,6 @@ struct SamplesInProcess::Cases
             }
         }
         return outcomes;
-    }
-
-    template<int Dim>
-    void runMotions()
-    {
-        if (runs("contactDynamics"))
-        {
-            move<Dim>();
-        }
-        if (runs("incrementalDynamics"))
-        {
-            findLeastIntensities<Dim>();
-        }
     }
 
     template<int Dim>
@@ -288,8 +262,8 @@ struct SamplesInProcess::Cases
             return;
         }
         const Dictionary dictionary = sampleCase.dictionaryOfBlocks();
-        dimensionsOf(dictionary) == 3 ? requireFiguresOfMotion<3>(dictionary)
-                                      : requireFiguresOfMotion<2>(dictionary);
+        sampleCase.dimensions(dictionary) == 3 ? requireFiguresOfMotion<3>(dictionary)
+                                               : requireFiguresOfMotion<2>(dictionary);
     }
 
     template<int Dim>

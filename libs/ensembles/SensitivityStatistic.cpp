@@ -206,7 +206,7 @@ StatisticResult evaluateSensitivity(const SensitivitySettings& settings, const s
         result.remarks.push_back(
             fmt::format("{} points with a sample that failed or is not finite are left out", leftOut));
     }
-    if (static_cast<long>(table.rows()) < table.asked)
+    if (static_cast<long>(table.rows()) < table.requested)
     {
         result.remarks.emplace_back("Not all samples are there: the indices follow when they are");
         return result;

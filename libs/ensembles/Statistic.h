@@ -25,7 +25,7 @@ struct SampleTable
     std::vector<std::vector<double>> columns;    ///< one a name; nan for words and for what is not known
     std::vector<std::vector<std::string>> texts; ///< one a variable: its values as they were written
     std::vector<char> isFailed;                  ///< one a row
-    long asked = 0;           ///< samples of the design; fewer rows: some are still to come
+    long requested = 0;       ///< samples of the design; fewer rows: some are still to come
     long sensitivityRuns = 0; ///< runs of each point of the design; 0: without sensitivity
 
     std::size_t rows() const { return isFailed.size(); }

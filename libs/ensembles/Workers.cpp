@@ -1,24 +1,19 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The supervisor of workers: claims chunks, watches, and shares a page of memory with them, which says what
-/// each does.
+/// The supervisor of workers: hands out chunks, watches, and shares a page of memory with them, which says
+/// what each does.
 #include "ensembles/Workers.h"
 
 #include "core/Log.h"
 #include "core/Signals.h"
+#include "ensembles/ChunkQueue.h"
 #include "ensembles/WorkerProcess.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <atomic>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
-#include <ctime>
 #include <fstream>
-#include <iterator>
 #include <new>
-#include <optional>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -26,7 +21,6 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -42,16 +36,23 @@ class Supervisor
 {
 public:
     Supervisor(const Ensemble& of, SampleStore& sharedStore, const WorkerSettings& wanted)
-        : ensemble(of), store(sharedStore), settings(wanted), memory(mapped(wanted.jobs))
+        : ensemble(of),
+          store(sharedStore),
+          settings(wanted),
+          memory(mapped(wanted.jobs)),
+          chunks(sharedStore, wanted.launched)
     {
-        completed = store.completed(); // before the journals, which have all of these by then
         std::vector<Doubt> doubts;
         known = readJournals(store.folder(), ensemble.settings.results.size(), &doubts);
         if (isFirst())
         {
             question(doubts);
         }
-        compareChunksWithJournals();
+        if (const long lost = chunks.compareWithJournals(known); lost > 0 && isFirst())
+        {
+            warnOfLost(lost);
+        }
+        doneAtStart = chunks.samplesCompleted();
         const std::string host = hostName();
         removeCopiesOfTheDead(store.folder(), fmt::format("case.{}.", host));
         for (int i = 0; i < settings.jobs; ++i)
@@ -86,7 +87,6 @@ public:
     bool run(const std::function<void(const EnsembleProgress&)>& report)
     {
         double lastReport = monotonicTime();
-        double lastLook = 0;
         while (stopSignal() == 0)
         {
             bool isBusy = false;
@@ -94,7 +94,7 @@ public:
             {
                 if (worker.chunk < 0)
                 {
-                    worker.chunk = nextChunk(lastLook);
+                    worker.chunk = chunks.next();
                     if (worker.chunk >= 0)
                     {
                         order(worker);
@@ -104,8 +104,8 @@ public:
             }
             if (!isBusy)
             {
-                completed = store.completed();
-                if (isComplete() || !settings.waitsForOthers)
+                chunks.look();
+                if (chunks.areAllComplete() || !settings.waitsForOthers)
                 {
                     break;
                 }
@@ -122,9 +122,8 @@ public:
         {
             stopWorkers();
         }
-        completed = store.completed();
         report(progress());
-        return isComplete();
+        return chunks.areAllComplete();
     }
 
 private:
@@ -139,103 +138,15 @@ private:
         return static_cast<Activity*>(memory);
     }
 
-    bool isComplete() const
-    {
-        return std::all_of(completed.begin(), completed.end(), [](char done) { return done != 0; });
-    }
-
     /// Whether this process warns of what all of them find.
     bool isFirst() const { return settings.launched.rank == 0 || settings.launched.isArray; }
 
-    /// Completes chunks all of whose samples are in journals, after an interruption or for a longer table,
-    /// and reopens those of which samples are in none, where files were lost.
-    void compareChunksWithJournals()
+    void warnOfLost(long samples) const
     {
-        long lost = 0; // samples
-        for (long chunk = 0; chunk < store.chunks(); ++chunk)
-        {
-            const auto [begin, end] = store.range(chunk);
-            const long missing =
-                end - begin - std::distance(known.lower_bound(begin), known.lower_bound(end));
-            const bool isDone = completed[static_cast<std::size_t>(chunk)] != 0;
-            if (isDone && missing > 0)
-            {
-                store.reopen(chunk);
-                lost += missing;
-            }
-            else if (!isDone && missing == 0 && store.claim(chunk) != SampleStore::Claim::refused)
-            {
-                store.complete(chunk);
-            }
-        }
-        if (lost > 0 && isFirst())
-        {
-            printWarning(
-                fmt::format("{} samples that were computed are in no journal of {} any more, as after "
-                            "a power failure or where files were copied during a run: they are "
-                            "computed again.",
-                            lost, store.folder().string()));
-        }
-        completed = store.completed();
-        doneAtStart = samplesCompleted();
-        begun.assign(completed.size(), 0);
-        place =
-            std::min(static_cast<long>(static_cast<double>(completed.size()) * settings.launched.beginning),
-                     static_cast<long>(completed.size()) - 1);
-    }
-
-    long samplesCompleted() const
-    {
-        long done = 0;
-        for (long chunk = 0; chunk < store.chunks(); ++chunk)
-        {
-            if (completed[static_cast<std::size_t>(chunk)])
-            {
-                done += store.range(chunk).second - store.range(chunk).first;
-            }
-        }
-        return done;
-    }
-
-    /// Claims the next chunk that nobody has; -1 when there is none now. Programs begin at different places.
-    /// \param lastLook when all chunks were last claimed, so that waiting for others costs little
-    long nextChunk(double& lastLook)
-    {
-        if (isExhausted && monotonicTime() - lastLook < 0.3)
-        {
-            return -1;
-        }
-        const long count = store.chunks();
-        if (isExhausted)
-        {
-            completed = store.completed();
-        }
-        lastLook = monotonicTime();
-        for (long tried = 0; tried < count; ++tried)
-        {
-            const long chunk = (place + tried) % count;
-            const auto index = static_cast<std::size_t>(chunk);
-            if (completed[index] || begun[index])
-            {
-                continue;
-            }
-            const SampleStore::Claim claim = store.claim(chunk);
-            // Without locks each program has chunks of its own, but where nobody knows which others there
-            // are: each takes all that are not complete, and two may compute the same one.
-            const bool isOurs = claim == SampleStore::Claim::taken
-                                || (claim == SampleStore::Claim::noLocks
-                                    && (settings.launched.isIrregular
-                                        || chunk % settings.launched.size == settings.launched.rank));
-            if (isOurs)
-            {
-                place = (chunk + 1) % count;
-                begun[index] = 1;
-                isExhausted = false;
-                return chunk;
-            }
-        }
-        isExhausted = true;
-        return -1;
+        printWarning(fmt::format("{} samples that were computed are in no journal of {} any more, as after "
+                                 "a power failure or where files were copied during a run: they are "
+                                 "computed again.",
+                                 samples, store.folder().string()));
     }
 
     void start(Worker& worker)
@@ -326,8 +237,7 @@ private:
             char byte = 0;
             if (::read(worker.answers, &byte, 1) == 1)
             {
-                store.complete(worker.chunk);
-                completed[static_cast<std::size_t>(worker.chunk)] = 1;
+                chunks.complete(worker.chunk);
                 worker.chunk = -1;
                 worker.activity->done = 0;
                 continue;
@@ -451,10 +361,10 @@ private:
 
     EnsembleProgress progress()
     {
-        completed = store.completed();
+        chunks.look();
         EnsembleProgress now;
         now.samples = store.samples();
-        now.done = samplesCompleted();
+        now.done = chunks.samplesCompleted();
         for (const Worker& worker : workers)
         {
             now.done += worker.chunk >= 0 ? worker.activity->done.load() : 0;
@@ -469,12 +379,9 @@ private:
     SampleStore& store;
     WorkerSettings settings;
     Activity* memory;
+    ChunkQueue chunks; ///< made before the journals are read
     std::vector<Worker> workers;
     std::map<long, SampleRow> known; ///< of all journals when this program began
-    std::vector<char> completed;     ///< chunks
-    std::vector<char> begun;         ///< chunks that this program has taken
-    long place = 0;                  ///< where the next chunk is looked for
-    bool isExhausted = false;
     long doneAtStart = 0;
     long failedAttempts = 0;
     double began = monotonicTime();

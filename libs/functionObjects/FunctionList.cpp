@@ -81,7 +81,7 @@ void declare(Options& options, ControlDictSettings& settings)
     declare(options, settings.controls);
     declare(options, settings.threads);
     options.optional("functions", settings.functions, functionTypes<2>(),
-                     "what is written beside the animation; each has a name of yours");
+                     "what is written besides the animation; each has a name of yours");
 }
 
 template<int Dim>

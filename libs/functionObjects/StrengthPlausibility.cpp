@@ -124,8 +124,8 @@ std::vector<Doubt> doubtsAboutLargeStrengths(const ContactProperties& contact, c
         {
             doubts.push_back(
                 {fmt::format("strength = {:g} [Pa] is above that of the hardest stone, {:g}, and "
-                             "may be why there is no answer: beside it the loads are lost in "
-                             "rounding. Strengths are in Pa.",
+                             "may be why there is no answer: compared with it the loads are "
+                             "lost in rounding. Strengths are in Pa.",
                              strength, 1e6 * hardestInMegapascal),
                  contact.locations.of(path)});
         }

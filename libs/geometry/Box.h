@@ -37,6 +37,21 @@ void extend(Box<Dim>& box, const Vector<Dim>& point)
     box.upper = box.upper.cwiseMax(point);
 }
 
+/// Makes the box contain another one; an empty one changes nothing.
+template<int Dim>
+void extend(Box<Dim>& box, const Box<Dim>& other)
+{
+    box.lower = box.lower.cwiseMin(other.lower);
+    box.upper = box.upper.cwiseMax(other.upper);
+}
+
+/// The smallest box that contains two points, and the line between them.
+template<int Dim>
+Box<Dim> boxAround(const Vector<Dim>& a, const Vector<Dim>& b)
+{
+    return {a.cwiseMin(b), a.cwiseMax(b)};
+}
+
 /// Whether the closed boxes share a point: boxes that only touch do meet.
 template<int Dim>
 bool meet(const Box<Dim>& a, const Box<Dim>& b)

@@ -24,13 +24,6 @@ struct Node
 };
 
 template<int Dim>
-void extend(Box<Dim>& box, const Box<Dim>& other)
-{
-    box.lower = box.lower.cwiseMin(other.lower);
-    box.upper = box.upper.cwiseMax(other.upper);
-}
-
-template<int Dim>
 bool isEmpty(const Box<Dim>& box)
 {
     return !contains(box, Box<Dim>{box.lower, box.lower});

@@ -23,7 +23,8 @@ struct AreaProperties
 };
 
 /// Area properties of a simple polygon (Green's theorem, taken about the first vertex to avoid cancellation
-/// in a block far from the origin).
+/// in a block far from the origin). Clockwise: area and polar moment are negative. Without area, as of fewer
+/// than three vertices: all zero.
 AreaProperties areaProperties(const Polygon& polygon);
 
 /// The outline without the vertices that only split a straight edge: each omitted vertex lies within

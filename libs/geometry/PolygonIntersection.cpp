@@ -3,9 +3,9 @@
 /// 1992).
 #include "geometry/PolygonIntersection.h"
 
-#include "geometry/Turn.h"
-
+#include "geometry/BroadPhase.h"
 #include "geometry/PolygonShape.h"
+#include "geometry/Turn.h"
 
 #include <polyclipping/clipper.hpp>
 
@@ -50,19 +50,11 @@ struct Grid
 
 Grid gridOver(const Polygon& a, const Polygon& b)
 {
-    Vector<2> lower = a.front();
-    Vector<2> upper = a.front();
-    for (const Polygon* polygon : {&a, &b})
-    {
-        for (const Vector<2>& corner : *polygon)
-        {
-            lower = lower.cwiseMin(corner);
-            upper = upper.cwiseMax(corner);
-        }
-    }
+    BoundingBox box = boundingBox(a);
+    extend<2>(box, boundingBox(b));
     // A power of two keeps the digits of the coordinates.
-    const double extent = (upper - lower).maxCoeff();
-    return {lower, extent > 0 ? std::exp2(40 - std::ceil(std::log2(extent))) : 1};
+    const double extent = (box.upper - box.lower).maxCoeff();
+    return {box.lower, extent > 0 ? std::exp2(40 - std::ceil(std::log2(extent))) : 1};
 }
 
 ClipperLib::Path pathOf(const Polygon& polygon, const Grid& grid)

@@ -16,7 +16,8 @@ Polygon convexIntersection(Polygon a, const Polygon& b);
 /// The common parts of two simple counter-clockwise polygons, convex or not: simple polygons,
 /// counter-clockwise, without corners that only split a straight edge. Parts that are nowhere wider than
 /// `tolerance` [m], as where the polygons touch along an edge or at a corner, are left out; so are tongues of
-/// others that are this thin. The order is that of the search, the same for the same polygons.
+/// others that are this thin. The order is that of the search, the same for the same polygons. (Vatti 1992,
+/// by Clipper.)
 std::vector<Polygon> intersection(const Polygon& a, const Polygon& b, double tolerance);
 
 } // namespace drystone

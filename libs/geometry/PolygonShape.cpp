@@ -99,7 +99,7 @@ std::optional<std::pair<int, int>> findSelfIntersection(const Polygon& polygon, 
     boxes.reserve(polygon.size());
     for (int i = 0; i < size; ++i)
     {
-        boxes.push_back(enlarged({at(i).cwiseMin(at(i + 1)), at(i).cwiseMax(at(i + 1))}, tolerance));
+        boxes.push_back(enlarged<2>(boxAround<2>(at(i), at(i + 1)), tolerance));
     }
     for (const auto& [i, j] : findMeetingPairs(boxes))
     {

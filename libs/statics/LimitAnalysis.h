@@ -19,9 +19,9 @@ namespace drystone
 
 struct SymbolicAnalysis;
 
-/// The program of Portioli & Cascini 2017, eq. 10: max alpha with A0 c = fD + alpha fL and |t| <= mu n, in
-/// space with the Euclidean norm of the two components of t. \param friction mu of each contact point \param
-/// loads dead and live, 3 rows a free block, in space 6
+/// The program of Portioli, Cascini & Landolfo 2017, eq. 10: max alpha with A0 c = fD + alpha fL and |t| <=
+/// mu n, in space with the Euclidean norm of the two components of t. \param friction mu of each contact
+/// point \param loads dead and live, 3 rows a free block, in space 6
 template<int Dim>
 StaticProgram<Dim> limitAnalysisProgram(int freeBlocks, const std::vector<ContactColumns<Dim>>& columns,
                                         const std::vector<double>& friction, const LoadVectors& loads);

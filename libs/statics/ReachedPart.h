@@ -26,7 +26,7 @@ struct CarriedDeadLoad
 ///    ground. Its mechanism, extended by zero, is one of the whole: the points that it opens are all in this
 ///    program. So alpha of the whole is not larger.
 /// 3. The least change of c_D that carries alpha times live load in addition; far from the live load it is
-/// small.
+///    small.
 /// 4. The blocks that the mechanism leaves at rest, and more of them about it, under what the
 ///    blocks that move give them, and what the forces of 3 give them from beyond. If forces balance this,
 ///    they are, with those of 2 where blocks move and those of 3 beyond, forces of the whole under the same

@@ -2,7 +2,7 @@
 /// Makes the supports of a blockTextureDict, the ground included, once the texture has made its blocks.
 #include "texture/Supports.h"
 
-#include "geometry/BroadPhase.h"
+#include "assembly/BlockShape.h"
 #include "import/Zones.h"
 #include "texture/Limits.h"
 #include "texture/space/Boxes.h"
@@ -18,30 +18,6 @@ namespace drystone
 namespace
 {
 
-Box<2> boxOf(const Block<2>& block)
-{
-    return boundingBox(block.outline);
-}
-
-Box<3> boxOf(const Block<3>& block)
-{
-    return boundingBox(block.shape);
-}
-
-/// Box around all blocks.
-template<int Dim>
-Box<Dim> boxOf(const Assembly<Dim>& assembly)
-{
-    Box<Dim> box;
-    for (const Block<Dim>& block : assembly.blocks)
-    {
-        const Box<Dim> one = boxOf(block);
-        box.lower = box.lower.cwiseMin(one.lower);
-        box.upper = box.upper.cwiseMax(one.upper);
-    }
-    return box;
-}
-
 /// Upwards is the last coordinate: y in the plane, z in space.
 template<int Dim>
 constexpr int up = Dim - 1;
@@ -51,14 +27,14 @@ constexpr int up = Dim - 1;
 template<int Dim>
 void rejectBlocksUnderGround(const Assembly<Dim>& assembly, const SourceLocation& place)
 {
-    const Box<Dim> box = boxOf(assembly);
+    const Box<Dim> box = boundingBox(assembly);
     const double tolerance = 1e-9 * (box.upper - box.lower).maxCoeff();
     for (std::size_t i = 0; i < assembly.blocks.size(); ++i)
     {
         const double allowed = assembly.blocks[i].support >= 0
                                    ? std::max(tolerance, assembly.jointTolerance.value_or(0))
                                    : tolerance;
-        if (boxOf(assembly.blocks[i]).lower[up<Dim>] < -allowed)
+        if (boundingBox(assembly.blocks[i]).lower[up<Dim>] < -allowed)
         {
             const double lowest = box.lower[up<Dim>];
             throw FatalIOError(
@@ -89,7 +65,7 @@ void removeAbutmentsUnderGround(Assembly<Dim>& assembly)
         && std::all_of(assembly.supports.begin(), assembly.supports.end(),
                        [](const Support& support) { return support.type == "abutments"; });
     const auto isAboveGround = [](const Block<Dim>& block)
-    { return block.support >= 0 && boxOf(block).upper[up<Dim>] > 0; };
+    { return block.support >= 0 && boundingBox(block).upper[up<Dim>] > 0; };
     if (hasAbutments && std::none_of(assembly.blocks.begin(), assembly.blocks.end(), isAboveGround))
     {
         std::erase_if(assembly.blocks, [](const Block<Dim>& block) { return block.support >= 0; });
@@ -117,7 +93,7 @@ SupportMaker<2> makeGround(const Ground& ground, const Dictionary& dictionary)
     {
         prepareGround(assembly, place);
         Ground inMetres = ground;
-        const BoundingBox box = boxOf(assembly);
+        const BoundingBox box = boundingBox(assembly);
         if (ground.segment)
         {
             inMetres.segment = *ground.segment * unit;
@@ -314,7 +290,7 @@ void declare(Options& options, FixedBoxes& fixed)
 void addGround(Assembly<2>& assembly, const std::string& name, const Ground& ground)
 {
     removeAbutmentsUnderGround(assembly);
-    const BoundingBox box = boxOf(assembly);
+    const BoundingBox box = boundingBox(assembly);
     double thickness = 0;
     for (const Block<2>& block : assembly.blocks)
     {
@@ -341,7 +317,7 @@ void addGround(Assembly<2>& assembly, const std::string& name, const Ground& gro
 void addGround(Assembly<3>& assembly, const std::string& name, const GroundSlab& ground)
 {
     removeAbutmentsUnderGround(assembly);
-    const Box<3> box = boxOf(assembly);
+    const Box<3> box = boundingBox(assembly);
     const double size = (box.upper - box.lower).maxCoeff();
     const double margin = ground.margin.value_or(3 * size);
     const int support = static_cast<int>(assembly.supports.size());
@@ -374,8 +350,8 @@ const Registry<SupportMaker<3>>& supportTypes()
         {
             model<SupportMaker<3>, GroundSlab>("ground", "one fixed slab under z = 0", makeGroundSlab),
             model<SupportMaker<3>, FixedBlocks>("blocks", "blocks of the texture, fixed", makeFixedBlocks<3>),
-            model<SupportMaker<3>, FixedBoxes>("boxes", "fixed boxes beside the blocks of the texture",
-                                               makeFixedBoxes),
+            model<SupportMaker<3>, FixedBoxes>(
+                "boxes", "fixed boxes in addition to the blocks of the texture", makeFixedBoxes),
             model<SupportMaker<3>, FixedZones>("import", "blocks that an imported file marks, fixed",
                                                makeFixedZones<3>),
         }};

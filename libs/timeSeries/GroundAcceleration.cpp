@@ -96,7 +96,7 @@ std::vector<TablePulse> pulsesOf(const std::vector<double>& times, std::vector<d
     return pulses;
 }
 
-/// \param times increasing
+/// \param firstTime, lastTime of the table, increasing; behind the last one
 StepBounds boundsOfTable(const double* firstTime, const double* lastTime,
                          const std::vector<TablePulse>& pulses, double time)
 {

@@ -97,7 +97,7 @@ def readFrame(file, time=0.0):
 
 
 def readSeries(folder, name="blocks"):
-    """The frames of <folder>/<name>.vtp.series, one after the other, read as they are asked for."""
+    """The frames of <folder>/<name>.vtp.series, one after the other, read as they are requested."""
     folder = Path(folder)
     series = json.loads((folder / (name + ".vtp.series")).read_text(encoding="utf-8"))
     for entry in series["files"]:

@@ -85,13 +85,13 @@ TEST_F(AlmostJoints, AreJointsOrApartOnPurposeByAStatedTolerance)
     EXPECT_EQ(report(1e-4, 1e-4, "jointTolerance 5e-5;"), "no error");
     EXPECT_EQ(readAssembly<2>(directory).closure.joints, 0);
     EXPECT_EQ(facesApartOnPurpose(readAssembly<2>(directory)), 1);
-    EXPECT_THAT(apartByDigitsText(readAssembly<2>(directory)),
+    EXPECT_THAT(almostJointsText(readAssembly<2>(directory), ToleranceOrigin::ofDigits),
                 AllOf(HasSubstr("almost meet"), HasSubstr("0.0001 m apart"),
                       HasSubstr("closed up to 5e-05 m"),
                       HasSubstr("are to touch, state `jointTolerance 0.0002;`"),
                       HasSubstr("on purpose, `jointTolerance 5e-05;`")));
     EXPECT_EQ(report(0, 0, "jointTolerance 5e-5;"), "no error");
-    EXPECT_EQ(apartByDigitsText(readAssembly<2>(directory)), "");
+    EXPECT_EQ(almostJointsText(readAssembly<2>(directory), ToleranceOrigin::ofDigits), "");
     EXPECT_THAT(report(0, 0, "jointTolerance 1;"), HasSubstr("jointTolerance 1 is out of range"));
     EXPECT_THAT(report(0, 0, "jointTolerance -1e-4;"), HasSubstr("out of range"));
 }

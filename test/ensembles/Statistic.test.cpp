@@ -48,7 +48,7 @@ SampleTable tableOf(const std::vector<double>& x, const std::vector<double>& y)
         table.texts[0].push_back(std::to_string(value));
     }
     table.isFailed.assign(x.size(), 0);
-    table.asked = static_cast<long>(x.size());
+    table.requested = static_cast<long>(x.size());
     return table;
 }
 
@@ -451,7 +451,7 @@ TEST(SensitivityStatistic, OfIshigamisFunctionIsTheClosedForm)
             table.isFailed.push_back(0);
         }
     }
-    table.asked = 5 * points;
+    table.requested = 5 * points;
     const StatisticResult result = evaluated("type sensitivity; value y; bootstrap 50;", table);
     const double first[3] = {0.313905, 0.442411, 0};
     const double total[3] = {0.557589, 0.442411, 0.243684};

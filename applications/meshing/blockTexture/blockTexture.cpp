@@ -63,14 +63,14 @@ void refuseShapes(const Assembly<Dim>& assembly, const Dictionary& dictionary)
     }
 }
 
-/// Whether the user says within what distance faces are a joint, of all blocks or of those of an imported
-/// file.
-bool isToleranceStated(const Dictionary& dictionary)
+/// The user may say within what distance faces are a joint, of all blocks or of those of an imported file.
+ToleranceOrigin toleranceOriginOf(const Dictionary& dictionary)
 {
     const auto hasOwn = [](const Dictionary& texture) { return texture.find("tolerance") != nullptr; };
     const Dictionary& texture = dictionary.subDict("texture");
-    return dictionary.find("jointTolerance") || hasOwn(texture)
-           || (texture.find("of") && hasOwn(texture.subDict("of"))); // of an extrusion
+    const bool isStated = dictionary.find("jointTolerance") || hasOwn(texture)
+                          || (texture.find("of") && hasOwn(texture.subDict("of"))); // of an extrusion
+    return isStated ? ToleranceOrigin::stated : ToleranceOrigin::ofDigits;
 }
 
 /// What the blocks will be refused for, and joints that they lack though nobody has said so.
@@ -81,14 +81,10 @@ void warnOfFaults(const Assembly<Dim>& assembly, const Dictionary& dictionary)
     {
         printWarning(overlapText(overlaps.front()), dictionary.locationOf("texture"));
     }
-    else if (const std::string fault = almostJointsText(assembly); !fault.empty())
+    else if (const std::string fault = almostJointsText(assembly, toleranceOriginOf(dictionary));
+             !fault.empty())
     {
         printWarning(fault, dictionary.locationOf("texture"));
-    }
-    else if (const std::string apart = isToleranceStated(dictionary) ? "" : apartByDigitsText(assembly);
-             !apart.empty())
-    {
-        printWarning(apart, dictionary.locationOf("texture"));
     }
     if constexpr (Dim == 3)
     {

@@ -2,6 +2,7 @@
 /// Contacts in space that are found: between convex parts of blocks that were not built on each other, or
 /// have left that.
 #include "contact/AlmostJoints.h"
+#include "contact/PointsOfPair.h"
 #include "contact/space/MovingContacts.h"
 #include "core/Error.h"
 #include "geometry/Box.h"
@@ -120,7 +121,7 @@ MovingContacts<3>::Pair MovingContacts<3>::pairOfContact(const PartContact& meet
         pair.onFace = other.vertices[static_cast<std::size_t>(edge.from)];
         pair.edge = (to - from).normalized();
         pair.otherEdge = (other.vertices[static_cast<std::size_t>(edge.to)] - pair.onFace).normalized();
-        // Between the normals of the faces beside it: that of both edges is there.
+        // The normal of both edges lies between those of the faces at the edge.
         pair.outward = (other.normals[static_cast<std::size_t>(edge.face)]
                         + other.normals[static_cast<std::size_t>(edge.otherFace)])
                            .normalized();
@@ -156,46 +157,56 @@ void MovingContacts<3>::find(const SearchedPair& pairOfBlocks, Places& places)
         for (const PartContact& meeting : contactsTowards(heading, pairOfBlocks, places))
         {
             Pair pair = pairOfContact(meeting, block, neighbour);
-            const auto& facing = solids[static_cast<std::size_t>(pair.faceBlock)];
-            const std::size_t facingPart = meeting.contact.isOfFirst ? meeting.otherPart : meeting.part;
-            ContactPoint<3> point;
-            point.block = block;
-            point.neighbour = neighbour;
-            point.joint = static_cast<int>(known.size()) + foundJoints;
-            point.feature = {pair.cornerBlock, featureOf(meeting, block, neighbour),
-                             before(facing, facingPart).faces + meeting.contact.face};
-            point =
-                measured(point, pair, places.now, places.forth[static_cast<std::size_t>(pair.cornerBlock)],
-                         places.forth[static_cast<std::size_t>(pair.faceBlock)]);
-            if (point.gap > places.margin)
+            const ContactPoint<3> point = foundPoint(meeting, pair, block, neighbour, places);
+            if (!(point.gap > places.margin))
             {
-                continue;
-            }
-            const auto isSame = [&](const ContactPoint<3>& other)
-            {
-                return other.feature == point.feature
-                       || ((other.position - point.position).norm() <= onePoint * blockSize
-                           && other.normal.dot(point.normal) > oneNormal);
-            };
-            // Of an earlier heading, of another part, or beside one: how the two share a force would not be
-            // determined. The nearer face is met first.
-            const auto there =
-                std::find_if(points.begin() + static_cast<std::ptrdiff_t>(firstOfPair), points.end(), isSame);
-            if (there == points.end())
-            {
-                found.push_back(std::move(pair));
-                points.push_back(point);
-                foundIndex.push_back(static_cast<int>(found.size()) - 1);
-            }
-            else if (const int index = foundIndex[static_cast<std::size_t>(there - points.begin())];
-                     index >= 0 && point.gap < there->gap)
-            {
-                found[static_cast<std::size_t>(index)] = std::move(pair);
-                *there = point;
+                addFound(point, std::move(pair), firstOfPair);
             }
         }
     }
     foundJoints += points.size() > first ? 1 : 0;
+}
+
+/// Where two blocks meet, measured where they are.
+ContactPoint<3> MovingContacts<3>::foundPoint(const PartContact& meeting, const Pair& pair, int block,
+                                              int neighbour, const Places& places) const
+{
+    const auto& facing = solids[static_cast<std::size_t>(pair.faceBlock)];
+    const std::size_t facingPart = meeting.contact.isOfFirst ? meeting.otherPart : meeting.part;
+    ContactPoint<3> point;
+    point.block = block;
+    point.neighbour = neighbour;
+    point.joint = static_cast<int>(known.size()) + foundJoints;
+    point.feature = {pair.cornerBlock, featureOf(meeting, block, neighbour),
+                     before(facing, facingPart).faces + meeting.contact.face};
+    return measured(point, pair, places.now, places.forth[static_cast<std::size_t>(pair.cornerBlock)],
+                    places.forth[static_cast<std::size_t>(pair.faceBlock)]);
+}
+
+/// Adds a point, unless the pair of blocks has it from an earlier heading, of another part, or next to it:
+/// how the two share a force would not be determined. The nearer face is met first.
+void MovingContacts<3>::addFound(const ContactPoint<3>& point, Pair pair, std::size_t firstOfPair)
+{
+    const auto isSame = [&](const ContactPoint<3>& other)
+    {
+        return other.feature == point.feature
+               || ((other.position - point.position).norm() <= onePoint * blockSize
+                   && other.normal.dot(point.normal) > oneNormal);
+    };
+    const auto there =
+        std::find_if(points.begin() + static_cast<std::ptrdiff_t>(firstOfPair), points.end(), isSame);
+    if (there == points.end())
+    {
+        found.push_back(std::move(pair));
+        points.push_back(point);
+        foundIndex.push_back(static_cast<int>(found.size()) - 1);
+    }
+    else if (const int index = foundIndex[static_cast<std::size_t>(there - points.begin())];
+             index >= 0 && point.gap < there->gap)
+    {
+        found[static_cast<std::size_t>(index)] = std::move(pair);
+        *there = point;
+    }
 }
 
 /// What meets where two blocks are heading.
@@ -284,14 +295,11 @@ MovingContacts<3>::contactsOfParts(const ConvexSolid& there, const ConvexSolid& 
 double MovingContacts<3>::pressedIn(int block, int neighbour,
                                     const std::vector<Placement<3>>& placements) const
 {
-    const auto pairOfBlocks = [](const ContactPoint<3>& point)
-    { return std::pair(point.block, point.neighbour); };
-    const std::pair wanted(block, neighbour);
-    const auto first = std::lower_bound(points.begin(), points.end(), wanted,
-                                        [&](const ContactPoint<3>& point, const std::pair<int, int>& pair)
-                                        { return pairOfBlocks(point) < pair; });
+    const auto [first, last] =
+        entriesOf({block, neighbour}, points.begin(), points.end(),
+                  [](const ContactPoint<3>& point) { return drystone::pairOf(point); });
     double deepest = 0;
-    for (auto point = first; point != points.end() && pairOfBlocks(*point) == wanted; ++point)
+    for (auto point = first; point != last; ++point)
     {
         const auto index = static_cast<std::size_t>(point - points.begin());
         deepest = std::max(deepest, -pointAt(placements, index).gap);

@@ -160,10 +160,11 @@ MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingCont
         };
         const bool isOfNeighbour = isVertexOf(point.neighbour);
         const bool isOfBlock = isVertexOf(point.block) || !isOfNeighbour;
-        point.feature = {isOfBlock ? point.block : point.neighbour, static_cast<int>(pairs.size()),
-                         0}; // each point is itself
-        pairs.push_back(pairAt(point, !isOfBlock));
-        others.push_back(isOfBlock && isOfNeighbour ? std::optional(pairAt(point, true)) : std::nullopt);
+        const int cornerBlock = isOfBlock ? point.block : point.neighbour;
+        point.feature = {cornerBlock, static_cast<int>(pairs.size()), 0}; // each point is itself
+        pairs.push_back(pairAt(point, cornerBlock));
+        others.push_back(isOfBlock && isOfNeighbour ? std::optional(pairAt(point, point.neighbour))
+                                                    : std::nullopt);
         const std::size_t index = pairs.size() - 1;
         if (known.empty() || known.back().block != point.block || known.back().neighbour != point.neighbour)
         {
@@ -180,15 +181,16 @@ MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingCont
     atEdges = pairsAtEdges();
 }
 
-/// \param isOfNeighbour whose corner, against the face of the other
-MovingContacts<3>::Pair MovingContacts<3>::pairAt(const ContactPoint<3>& point, bool isOfNeighbour) const
+/// \param cornerBlock that of the two blocks of the point whose corner stands against a face of the other
+MovingContacts<3>::Pair MovingContacts<3>::pairAt(const ContactPoint<3>& point, int cornerBlock) const
 {
+    const bool isOfBlock = cornerBlock == point.block;
     Pair pair;
-    pair.cornerBlock = isOfNeighbour ? point.neighbour : point.block;
-    pair.faceBlock = isOfNeighbour ? point.block : point.neighbour;
+    pair.cornerBlock = cornerBlock;
+    pair.faceBlock = isOfBlock ? point.neighbour : point.block;
     pair.corner = point.position;
     pair.onFace = point.position;
-    pair.outward = isOfNeighbour ? Vector<3>(-point.normal) : point.normal;
+    pair.outward = isOfBlock ? point.normal : Vector<3>(-point.normal);
     pair.shear = contactFrame(point).col(1);
     const Polyhedron& shape = assembly.blocks[static_cast<std::size_t>(pair.faceBlock)].shape;
     for (const int vertex : faceUnder(shape, point.position, pair.outward))

@@ -149,7 +149,7 @@ private:
                : pairs[built].cornerBlock == point.feature.vertexBlock ? pairs[built]
                                                                        : *others[built];
     }
-    Pair pairAt(const ContactPoint<3>& point, bool isOfNeighbour) const;
+    Pair pairAt(const ContactPoint<3>& point, int cornerBlock) const;
     double outsideOf(const Pair& pair, const Places& places) const;
     double wayApart(const KnownPair& pair, const Places& places) const;
     bool isFollowed(const KnownPair& pair, const Places& places) const;
@@ -176,8 +176,11 @@ private:
                                              Places& places) const;
     double pressedIn(int block, int neighbour, const std::vector<Placement<3>>& placements) const;
     void refuseDeepPoints() const;
-    Pair pairOfContact(const PartContact& found, int block, int neighbour) const;
-    int featureOf(const PartContact& found, int block, int neighbour) const;
+    Pair pairOfContact(const PartContact& meeting, int block, int neighbour) const;
+    int featureOf(const PartContact& meeting, int block, int neighbour) const;
+    ContactPoint<3> foundPoint(const PartContact& meeting, const Pair& pair, int block, int neighbour,
+                               const Places& places) const;
+    void addFound(const ContactPoint<3>& point, Pair pair, std::size_t firstOfPair);
     /// \param swingOfCorner, swingOfFace of the blocks of its corner and of its face
     ContactPoint<3> pointAt(const std::vector<Placement<3>>& placements, const Swing<3>& swingOfCorner,
                             const Swing<3>& swingOfFace, std::size_t index) const;

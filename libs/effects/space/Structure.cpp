@@ -28,21 +28,6 @@ void setMass(Structure<3>& structure, const std::vector<double>& densities)
     }
 }
 
-std::vector<Placement<3>> moved(std::vector<Placement<3>> placements, const std::vector<int>& free,
-                                const Eigen::VectorXd& displacement, double share)
-{
-    for (std::size_t block = 0; block < free.size(); ++block)
-    {
-        if (free[block] >= 0)
-        {
-            const auto own = displacement.segment<6>(6 * free[block]);
-            placements[block].translation += share * own.head<3>();
-            placements[block].rotation = composed(placements[block].rotation, share * own.tail<3>());
-        }
-    }
-    return placements;
-}
-
 MassMatrix<3> massAt(const Structure<3>& structure, const std::vector<Placement<3>>& placements)
 {
     MassMatrix<3> mass;

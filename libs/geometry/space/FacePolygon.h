@@ -8,6 +8,7 @@
 namespace drystone
 {
 
+/// A face seen along its normal.
 struct FacePolygon
 {
     Vector<3> origin = Vector<3>::Zero(); ///< a point of the plane: the mean of the corners [m]
@@ -16,6 +17,7 @@ struct FacePolygon
     Polygon outline;                 ///< counter-clockwise seen from outside [m]
 };
 
+/// \param face corners by index, counter-clockwise seen from outside; not plane: seen along its area vector
 FacePolygon facePolygon(const Polyhedron& polyhedron, const std::vector<int>& face);
 
 /// The coordinates of a point in the axes of the outline, seen along the normal [m].
