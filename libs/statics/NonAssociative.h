@@ -71,9 +71,6 @@ void declare(Options& options, NonAssociativeSettings& settings);
 /// but for a tenth of the tolerance; in space, where that seldom leads to a pair and takes longest, after all
 /// else has been tried.
 ///
-/// In space, where any digit decides which way a path goes, the search has the structure in a frame of its
-/// own (ProperFrame.h): the same in whatever axes it was drawn.
-///
 /// The result is the lowest pair that meets `tolerance` in CoulombCheck.h (`optimal`, its residuals as the
 /// certificate: balance and yield, flow, mismatch). Its multiplier is that of a collapse, and so an upper
 /// bound on the least of all collapses, which nothing here proves (in space paths whose starts differ by
@@ -87,7 +84,7 @@ void declare(Options& options, NonAssociativeSettings& settings);
 /// highest of them. Without any pair the result is `upperBound`: forces, mechanism and certificate of the
 /// associative collapse, which no pair exceeds; where there is no such collapse, `unbounded`: forces that
 /// either law allows carry any multiple of the live load, and nothing was found to collapse all the same (by
-/// a mixed-integer program over the states of all points none of 60 such small structures has a pair). A
+/// a mixed-integer program over the states of all points none of 47 such small structures has a pair). A
 /// search whose time is over ends at the next piece of a path, step or exchange, with what it has met until
 /// then, and with nothing where that is all that is known. What the friction cones cannot carry is `unstable`
 /// with either law.
