@@ -52,23 +52,21 @@ std::string statusText(const LimitAnalysisCase<Dim>& structure, const LimitAnaly
     case CollapseStatus::unstable:
         return "unstable (the blocks cannot carry the dead load: the mechanism is written)";
     case CollapseStatus::unbounded:
+        if (!isProvedUnbounded(result))
+        {
+            return "unbounded (some forces carry any multiple of the live load, and no collapse by Coulomb's "
+                   "law was found with others)";
+        }
         return structure.movement ? "unbounded (no force moves the support in this direction)"
                                   : "unbounded (no load of this direction makes it collapse)";
     case CollapseStatus::upperBound:
-        if (!std::isfinite(result.alpha) && isCutShort(result))
-        {
-            return "no answer (no collapse by Coulomb's law was found until maximumTime ended the search, "
-                   "and by the associative law, which wedges blocks that slide, there is none: more time "
-                   "may find one)";
-        }
-        return std::isfinite(result.alpha) ? "upper bound (no collapse by Coulomb's law was found; forces "
-                                             "and mechanism are those of the "
-                                             "associative law)"
-                                           : "no answer (no collapse by Coulomb's law was found, and by the "
-                                             "associative law, which wedges "
-                                             "blocks that slide, there is none: more starts in "
-                                             "system/solution/limitAnalysis/nonAssociative "
-                                             "may find one)";
+        return std::isfinite(result.alpha)
+                   ? "upper bound (no collapse by Coulomb's law was found; forces and mechanism are those of "
+                     "the "
+                     "associative law)"
+                   : "no answer (no collapse by Coulomb's law was found until maximumTime ended the search, "
+                     "and by the associative law, which wedges blocks that slide, there is none: more time "
+                     "may find one)";
     case CollapseStatus::notConverged:
         break;
     }
@@ -133,11 +131,18 @@ void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
              range.starts < manyStarts ? ", of which more may find lower ones" : "",
              result.isReversed ? "a lower" : "an upper", alphaText(range.associative));
     }
+    else if (isProvedUnbounded(result))
+    {
+        info("Coulomb's law: provably no collapse, as joints without friction carry any multiple of the live "
+             "load");
+    }
     else if (result.status == CollapseStatus::unbounded)
     {
-        info(
-            "Coulomb's law: provably no collapse, as joints without friction stand under any multiple of the "
-            "live load");
+        info("Coulomb's law: no collapse found ({} starts), which proves none: {}", range.starts,
+             std::isfinite(range.safe)
+                 ? fmt::format("any has a multiplier of at {} {}, that of joints without friction",
+                               result.isReversed ? "most" : "least", alphaText(range.safe))
+                 : "more starts may find one");
     }
     else
     {

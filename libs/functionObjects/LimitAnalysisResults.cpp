@@ -43,8 +43,9 @@ std::string caption(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis
     case CollapseStatus::unstable:
         return "unstable under its dead load";
     case CollapseStatus::unbounded:
-        return structure.movement ? "no force moves the support in this direction"
-                                  : "no live load of this direction makes it collapse";
+        return structure.movement          ? "no force moves the support in this direction"
+               : isProvedUnbounded(result) ? "no live load of this direction makes it collapse"
+                                           : "no collapse was found";
     case CollapseStatus::upperBound:
         return std::isfinite(result.alpha)
                    ? (result.isReversed ? "alpha at least " : "alpha at most ") + alphaText(result.alpha)

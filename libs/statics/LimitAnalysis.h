@@ -31,10 +31,11 @@ enum class CollapseStatus
 {
     optimal = 0,      ///< it collapses at alpha
     unstable = 1,     ///< it cannot carry the dead load
-    unbounded = 2,    ///< no load of this direction makes it collapse
+    unbounded = 2,    ///< no load of this direction makes it collapse; by Coulomb's law see isProvedUnbounded
     notConverged = 3, ///< the solver did not reach its tolerance: there is no answer
     upperBound = 4 ///< it collapses at alpha or less, by Coulomb's law, but no such collapse was found; alpha
-                   ///< is infinite where the associative law has no collapse: whether it has one is not known
+                   ///< is infinite where the associative law has no collapse and the search was cut short:
+                   ///< whether it has one is not known
 };
 
 /// With Coulomb's law collapse is not unique: what a search from several starts has met (NonAssociative.h).
@@ -43,7 +44,8 @@ struct CoulombRange
     double associative =
         0; ///< multiplier of the associative law, never below; infinite when that is unbounded
     /// Multiplier below which nothing collapses, found where no collapse was met or the associative law has
-    /// none: the largest of joints whose shear is cohesion alone; minus infinity where these stand with none.
+    /// none: the largest of joints whose shear is cohesion alone; minus infinity where these stand with none,
+    /// infinity where they carry the live load alone.
     double safe = -std::numeric_limits<double>::infinity();
     double lowest = 0;  ///< of the collapses met; infinite where there is none
     double highest = 0; ///< of the collapses met
@@ -103,6 +105,16 @@ inline bool hasAnswer(const LimitAnalysis& analysis)
 inline bool isCutShort(const LimitAnalysis& analysis)
 {
     return analysis.coulomb && analysis.coulomb->cutShortAfter;
+}
+
+/// Whether `unbounded` is proved. By either law some forces carry any multiple of the live load then; by
+/// Coulomb's, where other forces may let blocks slide out, there is a proof if joints without friction carry
+/// it, and else a search that has found no collapse.
+inline bool isProvedUnbounded(const LimitAnalysis& analysis)
+{
+    const double sign = analysis.isReversed ? -1 : 1;
+    return analysis.status == CollapseStatus::unbounded
+           && (!analysis.coulomb || sign * analysis.coulomb->safe == std::numeric_limits<double>::infinity());
 }
 
 /// How many blocks were simulated where not all were.

@@ -24,7 +24,7 @@ constexpr int mostStartsToLower = 16;
 constexpr double leastLowering = 1e-3;
 
 /// The largest multiplier of joints without friction, below which there is no pair. Minus infinity where they
-/// stand with none.
+/// stand with none, and infinity where they carry the live load alone: there is no pair at all then.
 template<int Rows, int Forces>
 double safeMultiplier(const ConeProgram<Rows, Forces>& program, const InteriorPointSettings& solver,
                       LimitAnalysis& effort)
@@ -38,18 +38,27 @@ double safeMultiplier(const ConeProgram<Rows, Forces>& program, const InteriorPo
     }
     constexpr double infinity = std::numeric_limits<double>::infinity();
     SymbolicAnalysis kept;
-    const LimitAnalysis analysis = solveLimitAnalysis(smooth, solver, &kept);
-    addWork(effort, analysis);
+    const auto analyse = [&]
+    {
+        LimitAnalysis analysis = solveLimitAnalysis(smooth, solver, &kept);
+        addWork(effort, analysis);
+        return analysis;
+    };
+    const LimitAnalysis analysis = analyse();
     if (analysis.status != CollapseStatus::unstable)
     {
         return analysis.status == CollapseStatus::optimal     ? analysis.alpha
                : analysis.status == CollapseStatus::unbounded ? infinity
                                                               : -infinity;
     }
-    // The live load may hold what falls without it. That it can be carried by itself says nothing without a
-    // multiplier with which the dead load is carried too: the least one.
+    // The live load may hold what falls without it: from the least of these multipliers on.
     const std::optional<MultiplierRange> held = multipliersThatHold(smooth, solver, kept);
-    return held && held->least > -infinity ? held->largest : -infinity;
+    if (held && held->least > -infinity)
+    {
+        return held->largest;
+    }
+    smooth.load.setZero();
+    return analyse().status == CollapseStatus::unbounded ? infinity : -infinity;
 }
 
 /// The moves of a search, in their order, until there is a pair. \param ofAssociative how the associative
@@ -125,26 +134,23 @@ void takePair(LimitAnalysis& analysis, const CoulombPair& pair)
                             pair.residuals.mismatch};
 }
 
-/// The analysis, still that of the associative law, becomes the upper bound that it is without a pair. A load
-/// that needs no friction is feasible by any law. One that is feasible by the associative law, as friction
-/// and dilatancy wedge the blocks, need not be by Coulomb's.
+/// The analysis, still that of the associative law, becomes the upper bound that it is without a pair. Where
+/// that law has none it stays `unbounded`: forces in the friction cones, which are those of either law, carry
+/// the dead load with any multiple of the live one. Of a search that was cut short that says too little, as
+/// other forces may let the blocks slide out which the associative law wedges.
 template<int Rows, int Forces>
 void takeBounds(LimitAnalysis& analysis, const ConeProgram<Rows, Forces>& program,
                 const InteriorPointSettings& solver)
 {
-    const bool isBounded = analysis.status == CollapseStatus::optimal;
-    if (!isBounded && analysis.status != CollapseStatus::unbounded)
-    {
-        return;
-    }
-    if (isBounded)
+    if (analysis.status == CollapseStatus::optimal)
     {
         analysis.coulomb->safe = safeMultiplier(program, solver, analysis);
+        analysis.status = CollapseStatus::upperBound;
     }
-    if (isBounded || analysis.coulomb->safe < std::numeric_limits<double>::infinity())
+    else if (analysis.status == CollapseStatus::unbounded && isCutShort(analysis))
     {
         analysis.status = CollapseStatus::upperBound;
-        analysis.alpha = isBounded ? analysis.alpha : std::numeric_limits<double>::infinity();
+        analysis.alpha = std::numeric_limits<double>::infinity();
     }
 }
 

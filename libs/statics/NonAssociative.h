@@ -82,16 +82,20 @@ void declare(Options& options, NonAssociativeSettings& settings);
 /// where motion from rest begins (StepFromRest.h). Where only falls have been met the lowest of them is the
 /// result. Where all pairs are below zero, which says that some forces at rest are not safe, it is the
 /// highest of them. Without any pair the result is `upperBound`: forces, mechanism and certificate of the
-/// associative collapse, which no pair exceeds. A search whose time is over ends at the next piece of a path,
-/// step or exchange, with what it has met until then. What the friction cones cannot carry is `unstable` with
-/// either law; `unbounded` means that joints without friction stand with multipliers as large as may be,
-/// which proves that there is no pair.
+/// associative collapse, which no pair exceeds; where there is no such collapse, `unbounded`: forces that
+/// either law allows carry any multiple of the live load, and nothing was found to collapse all the same (by
+/// a mixed-integer program over the states of all points none of 47 such small structures has a pair). A
+/// search whose time is over ends at the next piece of a path, step or exchange, with what it has met until
+/// then, and with nothing where that is all that is known. What the friction cones cannot carry is `unstable`
+/// with either law.
 ///
 /// Where no pair is met the range says from where on there may be one. A pair of Coulomb's law has
 /// (c - c')'A'y >= 0 for all forces c' with |c'_t| <= C - mu T, -T <= c'_n <= N: where a point opens, c_n is
 /// -T and so the least, where it slides, c't = (C + mu c_n)|s| is the larger work. With A c = f + alpha L,
 /// A c' = f + alpha' L and L'y = 1 that is alpha >= alpha' (Radenkovic 1961): no pair is below the greatest
-/// alpha' of joints without friction, whether or not these stand without the live load. \throws
+/// alpha' of joints without friction, whether or not these stand without the live load. Where these carry the
+/// live load alone, A c' = L with c'_n >= 0 and no shear, there is none at all, since no point closes:
+/// L'y = c'A'y <= 0. \throws
 /// std::invalid_argument for a program with gaps
 template<int Rows, int Forces>
 LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,

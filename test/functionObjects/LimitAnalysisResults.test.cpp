@@ -335,7 +335,18 @@ TEST_F(LimitAnalysisResults, OfTheNegativeEndHaveItsSignByCoulombsLawToo)
     EXPECT_THAT(bound,
                 testing::HasSubstr("its multiplier is at least that of the associative law, -0.400000, "
                                    "and at most that of joints without friction, -0.100000"));
+    results[1].status = CollapseStatus::unbounded;
+    const std::string searched = log();
+    EXPECT_THAT(searched, testing::HasSubstr("Status: unbounded (some forces carry any multiple of the live "
+                                             "load, and no collapse by Coulomb's law was found"));
+    EXPECT_THAT(searched, testing::HasSubstr("which proves none: any has a multiplier of at most -0.100000"));
+    results[1].coulomb->safe = -std::numeric_limits<double>::infinity();
+    const std::string proved = log();
+    EXPECT_THAT(proved,
+                testing::HasSubstr("Status: unbounded (no load of this direction makes it collapse)"));
+    EXPECT_THAT(proved, testing::HasSubstr("Coulomb's law: provably no collapse"));
     results[1].status = CollapseStatus::optimal;
+    results[1].coulomb->safe = -0.1;
     results[1].alpha = 0.01;
     EXPECT_THAT(log(), testing::HasSubstr("The multiplier is above zero: some forces at rest"));
 }

@@ -319,6 +319,55 @@ TEST(NonAssociative, ALoadThatNeedsNoFrictionFromSomeMultiplierOnHasProvablyNoCo
     EXPECT_NEAR(drawn.alpha, 0.3 + 0.65, 1e-6);
 }
 
+namespace
+{
+
+/// A block of unit size on a slope of 1 in 2, which friction alone holds, under a live load of its own weight
+/// along a direction.
+PlaneConeProgram blockOnSlope(const Vector<2>& direction)
+{
+    Assembly<2> assembly;
+    assembly.supports = {{"slope", "blocks"}};
+    assembly.blocks = {{{{0, 0}, {2, 1}, {1, 3}, {-1, 2}}, 1, -1}, {{{-2, -1}, {4, -1}, {4, 2}}, 1, 0}};
+    const WeighedStructure structure(std::move(assembly));
+    LoadVectors loads = structure.weightLoads();
+    loads.live = inertialLoad(structure.assembly, structure.weights, {0, -1}, direction);
+    return structure.program(0.8, loads);
+}
+
+} // namespace
+
+TEST(NonAssociative, ALoadThatNeedsNoFrictionItselfHasProvablyNoCollapse)
+{
+    // Square to the slope: no mechanism that opens no joint backwards lets it do work.
+    const LimitAnalysis result = solveNonAssociative(blockOnSlope({1, -2}));
+    EXPECT_EQ(result.status, CollapseStatus::unbounded);
+    ASSERT_TRUE(result.coulomb.has_value());
+    EXPECT_TRUE(std::isinf(result.coulomb->safe));
+    EXPECT_GT(result.coulomb->safe, 0);
+    EXPECT_EQ(result.coulomb->starts, 0) << "proved without a search";
+    EXPECT_TRUE(hasAnswer(result));
+}
+
+TEST(NonAssociative, ALoadOfWhichAnyMultipleIsCarriedByFrictionHasNoCollapse)
+{
+    // Within the friction cone, down the slope: the one joint has one force only, which never slides.
+    const PlaneConeProgram program = blockOnSlope({0, -1});
+    const LimitAnalysis result = solveNonAssociative(program);
+    EXPECT_EQ(result.status, CollapseStatus::unbounded);
+    ASSERT_TRUE(result.coulomb.has_value());
+    EXPECT_FALSE(result.coulomb->safe > 0);
+    EXPECT_EQ(result.coulomb->converged, 0);
+    EXPECT_GT(result.coulomb->starts, 0);
+    EXPECT_LE(result.certificate.worst(), 1e-9);
+    EXPECT_TRUE(hasAnswer(result));
+    // Before the search has ended that is not said.
+    const LimitAnalysis cut = solveNonAssociative(program, {.maximumTime = 1e-9});
+    EXPECT_EQ(cut.status, CollapseStatus::upperBound);
+    EXPECT_TRUE(std::isinf(cut.alpha));
+    EXPECT_FALSE(hasAnswer(cut));
+}
+
 TEST(NonAssociative, ResidualsSeeWhatIsNotCoulombs)
 {
     const WeighedStructure structure = standing(paperWalls()[2].bond);
