@@ -6,6 +6,7 @@
 #include "core/WholeFile.h"
 #include "dictionary/NamesIn.h"
 #include "ensembles/CaseRuns.h"
+#include "ensembles/CopyMessages.h"
 #include "ensembles/SampleCase.h"
 #include "ensembles/SamplesInProcess.h"
 #include "ensembles/WrittenTables.h"
@@ -351,9 +352,9 @@ void requireReadableCase(const Ensemble& ensemble)
     const fs::path directory = fs::absolute(ensemble.caseDirectory).lexically_normal();
     const fs::path beside =
         (directory.has_filename() ? directory : directory.parent_path()).parent_path() / ("." + name);
-    requireReadableCase(ensemble.caseDirectory,
-                        ensemble.isInProcess ? beside : ensembleWork(ensemble.caseDirectory) / name, sets,
-                        {ensemble.settings.applications, {"."}, ensemble.options});
+    WarningsOfCopies().print(requireReadableCase(
+        ensemble.caseDirectory, ensemble.isInProcess ? beside : ensembleWork(ensemble.caseDirectory) / name,
+        sets, {ensemble.settings.applications, {"."}, ensemble.options}));
     if (ensemble.isInProcess)
     {
         requireFigures(ensemble, tried);
