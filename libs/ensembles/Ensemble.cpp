@@ -138,8 +138,23 @@ void requireResults(const Ensemble& ensemble)
     }
 }
 
-/// Refuses files that samples may draw and that are not there, as records of earthquakes: most samples would
-/// run before one of them is missed. Scripts may yet make them.
+/// Files that samples may draw for an entry `file`, as records of earthquakes.
+std::vector<std::string> filesToDraw(const EnsembleVariable& variable)
+{
+    std::vector<std::string> files;
+    if (variable.distribution && fs::path(variable.place.entry).filename() == "file")
+    {
+        for (const SampleValue& choice : variable.distribution->choices)
+        {
+            files.push_back(choice.text);
+            std::erase(files.back(), '"');
+        }
+    }
+    return files;
+}
+
+/// Refuses files that samples may draw and that are not there: most samples would run before one of them is
+/// missed. Scripts may yet make them.
 void requireFiles(const Ensemble& ensemble)
 {
     if (hasScript({"", ensemble.settings.applications}))
@@ -148,14 +163,8 @@ void requireFiles(const Ensemble& ensemble)
     }
     for (const auto& [name, variable] : ensemble.settings.variables)
     {
-        if (!variable.distribution || fs::path(variable.place.entry).filename() != "file")
+        for (const std::string& file : filesToDraw(variable))
         {
-            continue;
-        }
-        for (const SampleValue& choice : variable.distribution->choices)
-        {
-            std::string file = choice.text;
-            std::erase(file, '"');
             std::error_code unknown;
             if (!fs::exists(ensemble.caseDirectory / file, unknown))
             {
@@ -187,6 +196,11 @@ StudyRuns runsOf(const Ensemble& ensemble)
     StudyRuns runs;
     runs.dictionary = "system/ensembleDict";
     runs.applications = ensemble.settings.applications;
+    for (const auto& [name, variable] : ensemble.settings.variables)
+    {
+        const std::vector<std::string> files = filesToDraw(variable);
+        runs.data.insert(runs.data.end(), files.begin(), files.end());
+    }
     return runs;
 }
 
