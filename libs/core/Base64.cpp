@@ -77,7 +77,7 @@ std::optional<std::string> bytesOfBase64(std::string_view text)
             bytes[3 * i + k] = static_cast<char>(three >> (16U - 8U * k) & 255U);
         }
     }
-    bytes.resize(bytes.size() - padding);
+    bytes.erase(bytes.size() - padding); // shortens, where a compiler has to expect resize() to lengthen
     return bytes;
 }
 

@@ -47,11 +47,12 @@ struct JsonMember
 struct JsonFault : std::runtime_error
 {
     JsonFault(const std::string& fault, int lineOfFault) : std::runtime_error(fault), line(lineOfFault) {}
-    int line; ///< from 1
+    int line; ///< from 1; 0 when no line is to blame
 };
 
 /// The tree of a text. Memory is of the order of the text's size, whatever it says. \throws JsonFault for
-/// text that is not JSON, has a number beyond the range of a double, or nests deeper than 100 levels
+/// text that is not JSON, has a number beyond the range of a double, nests deeper than 100 levels, or has
+/// a key twice in an object, of which readers take different ones
 JsonValue parseJson(std::string_view text);
 
 } // namespace drystone

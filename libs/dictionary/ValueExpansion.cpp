@@ -5,6 +5,7 @@
 #include "dictionary/IncludedFiles.h"
 #include "dictionary/MacroExpansion.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 
@@ -19,9 +20,20 @@ void failUnknownDirective(const DictionaryReading& reading, const Token& directi
             fmt::format("{} is not supported: dictionaries of Drystone never run code.", directive.text),
             locationOf(reading, directive));
     }
-    throw FatalIOError(unknownWordMessage("directive", directive.text,
-                                          {"#calc", "#else", "#endif", "#eval", "#if", "#ifeq", "#include",
-                                           "#includeEtc", "#includeIfPresent", "#inputMode", "#remove"}),
+    const std::vector<std::string> known = {"#calc",      "#else",       "#endif",
+                                            "#eval",      "#if",         "#ifeq",
+                                            "#include",   "#includeEtc", "#includeIfPresent",
+                                            "#inputMode", "#remove"};
+    if (std::find(known.begin(), known.end(), directive.text) != known.end())
+    {
+        const bool isValue = directive.text == "#calc" || directive.text == "#eval";
+        throw FatalIOError(
+            fmt::format("{} cannot stand here: {}.", directive.text,
+                        isValue ? "it is the value of an entry, as in `width #calc \"2*3\";`"
+                                : "it stands where an entry would; a `;` may be missing before it"),
+            locationOf(reading, directive));
+    }
+    throw FatalIOError(unknownWordMessage("directive", directive.text, known),
                        locationOf(reading, directive));
 }
 

@@ -59,6 +59,17 @@ std::string lastLines(const fs::path& file, std::size_t count)
     return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
+/// What a program has written; of one that never stops complaining the first of it.
+std::string beginningOf(const fs::path& file)
+{
+    constexpr std::size_t longest = 1 << 20; // [bytes]
+    std::ifstream stream(file);
+    std::string text(longest, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(longest));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    return text;
+}
+
 /// The directory of this program, which also contains the other applications.
 fs::path applicationFolder()
 {
@@ -180,7 +191,11 @@ ApplicationRun runInCase(const std::string& application, const fs::path& caseDir
     run.status = WIFSIGNALED(status) ? exitStatusOfSignal(WTERMSIG(status)) : WEXITSTATUS(status);
     run.errorOutput = lastLines(command.errors, linesOfErrors);
     std::error_code ignored;
-    if (run.errorOutput.empty())
+    if (!run.errorOutput.empty())
+    {
+        run.firstErrors = beginningOf(command.errors);
+    }
+    else
     {
         fs::remove(command.errors, ignored);
     }

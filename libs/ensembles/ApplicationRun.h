@@ -14,7 +14,8 @@ struct ApplicationRun
 {
     int status = 0;             ///< exit status; 128 + signal when a signal has ended it
     bool isInterrupted = false; ///< this process was requested to stop while it ran
-    std::string errorOutput;    ///< on standard error
+    std::string errorOutput;    ///< the last lines on standard error
+    std::string firstErrors;    ///< what it wrote there before, from the beginning: its warnings
 };
 
 /// Whether what a study runs is a program of the user's own, in the case: `./prepare`.

@@ -5,6 +5,7 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "ensembles/CaseCopy.h"
+#include "ensembles/CopyMessages.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +29,8 @@ bool computes(const std::string& application)
     return application != "blockTexture" && application != "checkBlocks";
 }
 
-CaseRun runIn(const fs::path& copy, const CaseApplications& applications, Depth depth)
+CaseRun runIn(const fs::path& caseDirectory, const fs::path& copy, const CaseApplications& applications,
+              Depth depth)
 {
     CaseRun run;
     for (const std::string& directory : applications.cases)
@@ -48,6 +50,10 @@ CaseRun runIn(const fs::path& copy, const CaseApplications& applications, Depth 
             static_cast<ApplicationRun&>(run) = runInCase(application, there, options);
             run.application = application;
             run.directory = directory;
+            for (std::string& warning : warningsOfCopy(run.firstErrors, copy, caseDirectory))
+            {
+                run.warnings.push_back(std::move(warning));
+            }
             if (run.isInterrupted || run.status != 0)
             {
                 return run;
@@ -110,28 +116,13 @@ void requireRoom(const fs::path& copy, const CaseRun& failed)
     }
 }
 
-/// A message about a copy as one about the case: without the copy's folder, and without what frames it.
-std::string faultOfCopy(std::string message, const fs::path& copy)
-{
-    for (const std::string& text :
-         {copy.string() + "/", std::string("    --> DRYSTONE FATAL IO ERROR:\n"),
-          std::string("    --> DRYSTONE FATAL ERROR:\n"), std::string("\n    DRYSTONE exiting")})
-    {
-        for (auto at = message.find(text); at != std::string::npos; at = message.find(text, at))
-        {
-            message.erase(at, text.size());
-        }
-    }
-    return message;
-}
-
 } // namespace
 
 CaseRun runCopy(const fs::path& caseDirectory, const fs::path& target, const std::vector<OtherEntry>& entries,
                 const CaseApplications& applications)
 {
     copyWith(caseDirectory, target, entries);
-    CaseRun run = runIn(target, applications, Depth::results);
+    CaseRun run = runIn(caseDirectory, target, applications, Depth::results);
     if (run.status != 0 && !run.isInterrupted)
     {
         requireRoom(target, run);
@@ -144,12 +135,12 @@ CaseRun tryCopy(const fs::path& caseDirectory, const fs::path& target, const std
 {
     const PassingFolder folder(fs::absolute(target));
     copyWith(caseDirectory, target, entries);
-    return runIn(target, applications, Depth::beginning);
+    return runIn(caseDirectory, target, applications, Depth::beginning);
 }
 
-void requireReadableCase(const fs::path& caseDirectory, const fs::path& target,
-                         const std::vector<std::vector<OtherEntry>>& sets,
-                         const CaseApplications& applications)
+std::vector<std::string> requireReadableCase(const fs::path& caseDirectory, const fs::path& target,
+                                             const std::vector<std::vector<OtherEntry>>& sets,
+                                             const CaseApplications& applications)
 {
     std::error_code unwritable;
     {
@@ -160,7 +151,7 @@ void requireReadableCase(const fs::path& caseDirectory, const fs::path& target,
     {
         info("The input of the runs is not checked: {} cannot be written ({}).", target.string(),
              unwritable.message());
-        return;
+        return {};
     }
     std::optional<CaseRun> first;
     for (const std::vector<OtherEntry>& entries : sets)
@@ -168,7 +159,7 @@ void requireReadableCase(const fs::path& caseDirectory, const fs::path& target,
         const CaseRun run = tryCopy(caseDirectory, target, entries, applications);
         if (run.isInterrupted || run.status == 0)
         {
-            return;
+            return run.warnings;
         }
         first = first ? first : run;
     }
@@ -180,6 +171,7 @@ void requireReadableCase(const fs::path& caseDirectory, const fs::path& target,
                         sets.size() == 1 ? "a set" : fmt::format("{} sets", sets.size()), first->application,
                         first->status, faultOfCopy(first->errorOutput, target)));
     }
+    return {};
 }
 
 } // namespace drystone

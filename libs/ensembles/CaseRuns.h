@@ -28,7 +28,8 @@ struct CaseApplications
 struct CaseRun : ApplicationRun
 {
     std::string application;
-    std::string directory; ///< of `cases`
+    std::string directory;             ///< of `cases`
+    std::vector<std::string> warnings; ///< of all applications, about the case in place of its copy
 };
 
 /// Copies a case to `target` with other values of some entries, and runs applications there, until one fails
@@ -45,9 +46,11 @@ CaseRun tryCopy(const std::filesystem::path& caseDirectory, const std::filesyste
 
 /// Tries a case as tryCopy does, with one set of entries after the other until one can begin, and says why
 /// where none can. Says in the log where no copy can be written.
-/// \throws FatalError with the message of the application, where no set of entries lets it begin
-void requireReadableCase(const std::filesystem::path& caseDirectory, const std::filesystem::path& target,
-                         const std::vector<std::vector<OtherEntry>>& sets,
-                         const CaseApplications& applications);
+/// \return what it warns of \throws FatalError with the message of the application, where no set of entries
+/// lets it begin
+std::vector<std::string> requireReadableCase(const std::filesystem::path& caseDirectory,
+                                             const std::filesystem::path& target,
+                                             const std::vector<std::vector<OtherEntry>>& sets,
+                                             const CaseApplications& applications);
 
 } // namespace drystone

@@ -6,6 +6,7 @@
 #include "core/WholeFile.h"
 #include "dictionary/NamesIn.h"
 #include "ensembles/CaseRuns.h"
+#include "ensembles/CopyMessages.h"
 #include "ensembles/SampleCase.h"
 #include "ensembles/SamplesInProcess.h"
 #include "ensembles/WrittenTables.h"
@@ -137,8 +138,23 @@ void requireResults(const Ensemble& ensemble)
     }
 }
 
-/// Refuses files that samples may draw and that are not there, as records of earthquakes: most samples would
-/// run before one of them is missed. Scripts may yet make them.
+/// Files that samples may draw for an entry `file`, as records of earthquakes.
+std::vector<std::string> filesToDraw(const EnsembleVariable& variable)
+{
+    std::vector<std::string> files;
+    if (variable.distribution && fs::path(variable.place.entry).filename() == "file")
+    {
+        for (const SampleValue& choice : variable.distribution->choices)
+        {
+            files.push_back(choice.text);
+            std::erase(files.back(), '"');
+        }
+    }
+    return files;
+}
+
+/// Refuses files that samples may draw and that are not there: most samples would run before one of them is
+/// missed. Scripts may yet make them.
 void requireFiles(const Ensemble& ensemble)
 {
     if (hasScript({"", ensemble.settings.applications}))
@@ -147,14 +163,8 @@ void requireFiles(const Ensemble& ensemble)
     }
     for (const auto& [name, variable] : ensemble.settings.variables)
     {
-        if (!variable.distribution || fs::path(variable.place.entry).filename() != "file")
+        for (const std::string& file : filesToDraw(variable))
         {
-            continue;
-        }
-        for (const SampleValue& choice : variable.distribution->choices)
-        {
-            std::string file = choice.text;
-            std::erase(file, '"');
             std::error_code unknown;
             if (!fs::exists(ensemble.caseDirectory / file, unknown))
             {
@@ -186,6 +196,11 @@ StudyRuns runsOf(const Ensemble& ensemble)
     StudyRuns runs;
     runs.dictionary = "system/ensembleDict";
     runs.applications = ensemble.settings.applications;
+    for (const auto& [name, variable] : ensemble.settings.variables)
+    {
+        const std::vector<std::string> files = filesToDraw(variable);
+        runs.data.insert(runs.data.end(), files.begin(), files.end());
+    }
     return runs;
 }
 
@@ -351,9 +366,9 @@ void requireReadableCase(const Ensemble& ensemble)
     const fs::path directory = fs::absolute(ensemble.caseDirectory).lexically_normal();
     const fs::path beside =
         (directory.has_filename() ? directory : directory.parent_path()).parent_path() / ("." + name);
-    requireReadableCase(ensemble.caseDirectory,
-                        ensemble.isInProcess ? beside : ensembleWork(ensemble.caseDirectory) / name, sets,
-                        {ensemble.settings.applications, {"."}, ensemble.options});
+    WarningsOfCopies().print(requireReadableCase(
+        ensemble.caseDirectory, ensemble.isInProcess ? beside : ensembleWork(ensemble.caseDirectory) / name,
+        sets, {ensemble.settings.applications, {"."}, ensemble.options}));
     if (ensemble.isInProcess)
     {
         requireFigures(ensemble, tried);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ensembles/CaseRuns.h"
+#include "ensembles/CopyMessages.h"
 #include "ensembles/EnsembleSettings.h"
 #include "ensembles/Sampler.h"
 #include "ensembles/StudyInput.h"
@@ -118,6 +119,7 @@ private:
     const Ensemble& ensemble;
     std::filesystem::path scratch;
     std::unique_ptr<SamplesInProcess> inProcess;
+    WarningsOfCopies warnings;     ///< of applications
     bool isTogetherWorthIt = true; ///< something was gained by it with the last samples
 };
 

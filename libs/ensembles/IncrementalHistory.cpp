@@ -3,7 +3,9 @@
 #include "ensembles/IncrementalHistory.h"
 
 #include "core/WholeFile.h"
+#include "dictionary/Fingerprint.h"
 #include "ensembles/StudyHistory.h"
+#include "ensembles/StudyInput.h"
 
 #include <fmt/format.h>
 
@@ -19,19 +21,32 @@ namespace
 constexpr std::size_t columns = 10;
 constexpr const char* studyName = "incrementalDynamics";
 
+constexpr const char* dictionaryName = "system/incrementalDynamicsDict";
+
+/// `records` of the dictionary; empty where the motion is that of constant/groundMotion.
+Dictionary recordsOf(const std::filesystem::path& caseDirectory)
+{
+    const Dictionary dictionary = Dictionary::readFileIfPresent(caseDirectory / dictionaryName);
+    return dictionary.found("records") ? dictionary.subDict("records") : Dictionary();
+}
+
 template<int Dim>
 std::string headingOf(const std::filesystem::path& caseDirectory, const IncrementalDynamics<Dim>& study)
 {
+    const Dictionary records = recordsOf(caseDirectory);
     StudyRuns runs;
-    runs.dictionary = "system/incrementalDynamicsDict";
+    runs.dictionary = dictionaryName;
+    runs.data = filesNamedIn(records);
     std::string text = historyInput(inputOfStudy(caseDirectory, runs))
                        + fmt::format("# criterion {} stopWhenMet {} motions", study.criterion.summary,
                                      study.stopWhenMet ? "yes" : "no");
     for (const StudyMotion& motion : study.motions)
     {
-        // The whole record is in the case, or it is the user's own file: its peak shows whether it is another
-        // one.
         text += fmt::format(" {} {}", motion.name, motion.peak);
+        if (records.found(motion.name)) // its direction, start and padding leave the peak as it is
+        {
+            text += fmt::format(" {:016x}", fingerprint(records.subDict(motion.name)));
+        }
     }
     return text
            + fmt::format("\n# motion[-] intensity[{}] factor[-] verdict[-] {}[{}] endTime[s] steps[-] "

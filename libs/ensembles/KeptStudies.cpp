@@ -20,10 +20,11 @@ namespace
 namespace fs = std::filesystem;
 
 /// What a study has run, as its plan or history notes it.
-StudyRuns runsIn(const std::string& notes, const std::string& study)
+StudyRuns runsIn(const std::string& notes, const std::string& study, const std::string& mark)
 {
     StudyRuns runs;
     runs.dictionary = "system/" + study + "Dict";
+    runs.data = namesOfInput(notes, mark); // records among them, of which the dictionary may name others now
     std::istringstream stream(notes);
     for (std::string line; std::getline(stream, line);)
     {
@@ -59,7 +60,7 @@ StudyRuns runsIn(const std::string& notes, const std::string& study)
 }
 
 /// How system/ensembleDict differs from what the samples were computed for. Empty where it does not.
-std::string changedQuestions(const fs::path& caseDirectory)
+std::string changedPlan(const fs::path& caseDirectory)
 {
     const fs::path work = ensembleWork(caseDirectory);
     const std::string plan = contentOfFile(work / "plan");
@@ -79,12 +80,16 @@ std::string changedQuestions(const fs::path& caseDirectory)
     }
 }
 
-/// How system/parameterSearchDict differs from what the best point was chosen for. Empty where it does not,
-/// or no point was.
-std::string changedSearch(const fs::path& caseDirectory, const fs::path& folder)
+/// How the dictionary of a study differs from what its answer was found for. Empty where it does not, or
+/// there is no answer.
+std::string changedQuestions(const fs::path& caseDirectory, const std::string& study, const fs::path& folder)
 {
+    if (study == "ensemble")
+    {
+        return changedPlan(caseDirectory);
+    }
     const std::optional<std::vector<InputFile>> before = readInput(folder / "input");
-    return before ? textOf(changesOfInput(*before, inputOfSearch(caseDirectory))) : "";
+    return before ? textOf(changesOfInput(*before, inputOfQuestions(caseDirectory, study))) : "";
 }
 
 } // namespace
@@ -110,11 +115,8 @@ std::vector<std::string> compareStudies(const fs::path& caseDirectory)
                 continue;
             }
             std::string changes = changedInput(
-                notes, inputLines(inputOfStudy(caseDirectory, runsIn(notes, study)), mark), mark);
-            if (const std::string questions = isEnsemble ? changedQuestions(caseDirectory)
-                                              : study == "parameterSearch"
-                                                  ? changedSearch(caseDirectory, folder / time)
-                                                  : "";
+                notes, inputLines(inputOfStudy(caseDirectory, runsIn(notes, study, mark)), mark), mark);
+            if (const std::string questions = changedQuestions(caseDirectory, study, folder / time);
                 !questions.empty())
             {
                 changes += (changes.empty() ? "" : ", ") + questions;

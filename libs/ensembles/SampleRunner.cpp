@@ -106,6 +106,7 @@ SampleOutcome SampleRunner::runByApplications(const std::vector<SampleValue>& va
     const std::size_t count = ensemble.settings.results.size();
     const CaseRun done = runCopy(ensemble.caseDirectory, scratch, entriesOf(ensemble, values),
                                  {ensemble.settings.applications, {"."}, ensemble.options});
+    warnings.print(done.warnings);
     const bool isCutShort = done.isInterrupted && done.application != ensemble.settings.applications.back();
     if (done.status != 0 || isCutShort)
     {

@@ -3,6 +3,7 @@
 #include "ensembles/SearchPoint.h"
 
 #include "ensembles/CaseRuns.h"
+#include "ensembles/CopyMessages.h"
 #include "functionObjects/LimitAnalysisResults.h"
 
 #include <fmt/format.h>
@@ -101,9 +102,10 @@ void requireReadableCase(const ParameterSearch& search)
     {
         middle.push_back((variable.bounds[0] + variable.bounds[1]) / 2);
     }
-    requireReadableCase(search.caseDirectory, search.caseDirectory / parameterSearchName / "dryRun",
-                        {entriesOf(search, search.start), entriesOf(search, middle)},
-                        {search.settings.applications, search.settings.cases, search.options});
+    WarningsOfCopies().print(
+        requireReadableCase(search.caseDirectory, search.caseDirectory / parameterSearchName / "dryRun",
+                            {entriesOf(search, search.start), entriesOf(search, middle)},
+                            {search.settings.applications, search.settings.cases, search.options}));
 }
 
 PointRun runPoint(const ParameterSearch& search, const std::vector<double>& variables)
@@ -120,13 +122,14 @@ PointRun runPoint(const ParameterSearch& search, const std::vector<double>& vari
     {
         return run;
     }
+    run.warnings = done.warnings;
     if (done.status != 0) // a table of an earlier application may be from before the failure
     {
         run.failure = fmt::format("{} ended with exit status {} (parameterSearch/evaluation/{}log.{})",
                                   done.application, done.status,
                                   done.directory == "." ? "" : done.directory + "/", done.application);
         run.failureStatus = done.status;
-        run.errorOutput = done.errorOutput;
+        run.errorOutput = faultOfCopy(done.errorOutput, folder);
     }
     const auto cutShort = std::find_if(settings.cases.begin(), settings.cases.end(),
                                        [&folder](const std::string& directory)

@@ -47,9 +47,10 @@ void requireReadableCase(const ParameterSearch& search);
 /// The outcome of the applications at a point.
 struct PointRun
 {
-    std::vector<double> results; ///< nan where there is none
-    std::string failure;         ///< which application failed; empty when none did
-    std::string errorOutput;     ///< of that application
+    std::vector<double> results;       ///< nan where there is none
+    std::string failure;               ///< which application failed; empty when none did
+    std::string errorOutput;           ///< of that application, about the case in place of its copy
+    std::vector<std::string> warnings; ///< of all applications, likewise
     int failureStatus = 0;
     bool isInterrupted = false;
     std::string cutShortIn; ///< of the cases, the one where maximumTime has ended a search; empty: in none

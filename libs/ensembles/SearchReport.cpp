@@ -203,7 +203,7 @@ void writeOutcome(const ParameterSearch& search, const SearchHistory& history, c
     add("end", static_cast<double>(outcome.end));
     add("evaluations", static_cast<double>(history.records().size()));
     ColumnFile(folder / "best.dat", columns, 12).write(row);
-    writeInput(folder / "input", inputOfSearch(search.caseDirectory));
+    writeInput(folder / "input", inputOfQuestions(search.caseDirectory, parameterSearchName));
 
     std::vector<Evaluation> points;
     for (const SearchRecord& record : history.records())

@@ -5,6 +5,7 @@
 #include "core/Log.h"
 #include "core/Signals.h"
 #include "dictionary/EntryLocations.h"
+#include "ensembles/CopyMessages.h"
 #include "ensembles/StudyInput.h"
 
 #include <fmt/format.h>
@@ -71,6 +72,7 @@ struct RunningSearch
     int evaluations = 0;
     int computed = 0;                                     ///< of these, the others were known
     std::map<std::vector<double>, int> exitStatuses = {}; ///< of the points, see SearchRecord
+    WarningsOfCopies warnings = {};
     int cutShort = 0;            ///< of the computed ones: maximumTime has ended a search in a case of theirs
     std::string cutShortIn = {}; ///< the last such case
 };
@@ -147,6 +149,20 @@ Evaluation evaluateKnown(RunningSearch& running, const SearchRecord& known)
     return found;
 }
 
+/// What the applications have warned of, but for the searches by Coulomb's law that maximumTime has ended:
+/// these are counted, see questionCutShort.
+std::vector<std::string> warningsOf(const PointRun& run)
+{
+    std::vector<std::string> warnings = run.warnings;
+    const auto isCounted = [](const std::string& warning)
+    { return warning.find("/limitAnalysis/nonAssociative/maximumTime at line") != std::string::npos; };
+    if (!run.cutShortIn.empty())
+    {
+        warnings.erase(std::remove_if(warnings.begin(), warnings.end(), isCounted), warnings.end());
+    }
+    return warnings;
+}
+
 Evaluation evaluateComputed(RunningSearch& running, const std::vector<double>& variables, const PointRun& run)
 {
     const ParameterSearch& search = running.search;
@@ -154,6 +170,7 @@ Evaluation evaluateComputed(RunningSearch& running, const std::vector<double>& v
     {
         throw FatalError(editedCaseText(change, "the search was", "Points", parameterSearchName));
     }
+    running.warnings.print(warningsOf(run));
     requireComputable(running, variables, run);
     const Evaluation found = evaluate(search.settings, variables,
                                       completed(search, variables, run.results, reasonOfNoNumber(run)));

@@ -264,10 +264,10 @@ bool hasScript(const StudyRuns& runs)
     return std::any_of(runs.applications.begin(), runs.applications.end(), isScript);
 }
 
-std::vector<InputFile> inputOfSearch(const fs::path& caseDirectory)
+std::vector<InputFile> inputOfQuestions(const fs::path& caseDirectory, const std::string& study)
 {
-    const std::string name = "system/parameterSearchDict";
-    return {{name, fingerprint(Dictionary::readFile(caseDirectory / name))}};
+    const std::string name = "system/" + study + "Dict";
+    return {{name, fingerprint(Dictionary::readFile(caseDirectory / name), {"jobs"})}};
 }
 
 std::vector<InputFile> inputOfStudy(const fs::path& caseDirectory, const StudyRuns& runs)
@@ -279,6 +279,10 @@ std::vector<InputFile> inputOfStudy(const fs::path& caseDirectory, const StudyRu
         const fs::path directory = (base / name).lexically_normal();
         addFolders(files, base, directory, runs);
         addScripts(files, base, directory, runs);
+    }
+    for (const std::string& name : runs.data)
+    {
+        files.add(base / name); // an absolute one stays so
     }
     return files.files();
 }
@@ -364,6 +368,16 @@ std::string InputWatch::change()
 bool hasInputLines(const std::string& text, const std::string& mark)
 {
     return text.starts_with(mark + howCompared);
+}
+
+std::vector<std::string> namesOfInput(const std::string& text, const std::string& mark)
+{
+    std::vector<std::string> names;
+    for (const InputFile& file : inputFilesIn(linesIn(text, mark)))
+    {
+        names.push_back(file.name);
+    }
+    return names;
 }
 
 std::string changedInput(const std::string& before, const std::string& now, const std::string& mark)

@@ -136,11 +136,17 @@ private:
         return *number == 1;
     }
 
-    /// `is_support`, and the texts of `zones`; what others keep under this name, and is no list, is theirs.
-    std::vector<std::string> zonesOf(const Place& node) const
+    /// `is_support`, of the node or by default, and the texts of `zones`; what others keep under this name,
+    /// and is no list, is theirs.
+    std::vector<std::string> zonesOf(const Place& node, const Place& defaults) const
     {
         std::vector<std::string> zones;
-        if (const Place support = node.member("is_support"); support && isOn(support))
+        Place support = node.member("is_support");
+        if (support.value == nullptr && defaults)
+        {
+            support = defaults.member("is_support");
+        }
+        if (support && isOn(support))
         {
             zones.emplace_back("is_support");
         }
@@ -179,7 +185,7 @@ private:
                 fail(place, "This node has no block.");
             }
             solidOf[key] = static_cast<int>(solids.solids.size());
-            readBlock(block, zonesOf(place), key);
+            readBlock(block, zonesOf(place, graph.member("default_node_attributes")), key);
         }
         const Place edges = graph.member("edge");
         if (!edges)
@@ -296,7 +302,8 @@ private:
             {
                 const std::string_view coordinate =
                     std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1);
-                if (const Place own = place.member(coordinate))
+                if (const Place own = place.member(coordinate);
+                    own.value != nullptr) // null: could not be computed
                 {
                     position[axis] = number(own);
                 }

@@ -106,15 +106,6 @@ std::string_view nextWord(std::string_view& line)
     return word;
 }
 
-std::string shown(std::string_view word)
-{
-    constexpr std::size_t longest = 40;
-    std::string text(word.substr(0, longest));
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c < ' ' || c == 127; }, '?'); // and all beyond ASCII
-    return text + (word.size() > longest ? "..." : "");
-}
-
 double numberOf(const ImportedFile& file, int line, std::string_view word)
 {
     const std::string_view plain = word.substr(word.starts_with('+') ? 1 : 0);

@@ -16,6 +16,7 @@
 #pragma once
 
 #include "core/Error.h"
+#include "core/ShownWord.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -66,9 +67,6 @@ double numberOf(const ImportedFile& file, int line, std::string_view word);
 
 /// The whole word as an integer. \throws FatalIOError when it is none, or not within the range of int
 int integerOf(const ImportedFile& file, int line, std::string_view word);
-
-/// A word for a message: shortened, and without bytes that a terminal would act on.
-std::string shown(std::string_view word);
 
 /// To how many digits the coordinates of a file are written, from each of their texts.
 class DigitCount

@@ -21,12 +21,31 @@ namespace drystone
 namespace
 {
 
+/// Words between blanks, where one that begins with a bracket is the unit of the title before it: `a [m/s2]`.
+std::vector<std::string_view> wordsWithUnits(std::string_view line)
+{
+    std::vector<std::string_view> result;
+    for (const std::string_view word : wordsBetween(line, " \t\r"))
+    {
+        if (!result.empty() && (word.front() == '[' || word.front() == '('))
+        {
+            const char* begin = result.back().data();
+            result.back() = {begin, static_cast<std::size_t>(word.data() + word.size() - begin)};
+        }
+        else
+        {
+            result.push_back(word);
+        }
+    }
+    return result;
+}
+
 /// Cells of one row. Separators, in order of preference: semicolon, comma, tab, blanks.
 std::vector<std::string_view> cells(std::string_view line, char separator)
 {
     if (separator == ' ')
     {
-        return wordsBetween(line, " \t\r");
+        return wordsWithUnits(line);
     }
     std::vector<std::string_view> result;
     for (;;)

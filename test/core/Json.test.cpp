@@ -7,6 +7,7 @@
 
 using namespace drystone;
 using testing::HasSubstr;
+using testing::Not;
 
 namespace
 {
@@ -36,4 +37,23 @@ TEST(Json, AFaultIsNamedByItsLineAndCharacter)
     EXPECT_THAT(faultOf("{\"a\":\n [1, nan]}", 2), HasSubstr("no JSON here (character 7 of the line)"));
     EXPECT_THAT(faultOf("[1, 1e999]", 1), HasSubstr("too large"));
     EXPECT_THAT(faultOf("{\"a\": [1,", 1), HasSubstr("no JSON here (character 9 of the line)"));
+}
+
+TEST(Json, WhatOtherProgramsAndDownloadsDoHasARemedy)
+{
+    EXPECT_THAT(faultOf("{\"a\": [1,", 1), HasSubstr("ends before it is complete"));
+    EXPECT_THAT(faultOf("{\"a\": [1, \"b", 1), HasSubstr("ends before it is complete"));
+    EXPECT_THAT(faultOf("{\"a\": 1}}", 1), Not(HasSubstr("complete")));
+    EXPECT_THAT(faultOf("{\"a\": NaN}", 1), HasSubstr("NaN and Infinity are no numbers"));
+    EXPECT_THAT(faultOf("{\"a\": nan}", 1), HasSubstr("NaN and Infinity are no numbers"));
+    EXPECT_THAT(faultOf("{\"a\": -Infinity}", 1), HasSubstr("NaN and Infinity are no numbers"));
+    EXPECT_THAT(faultOf("{\"a\": \"Gew\xf6lbe\"}", 1), HasSubstr("not in UTF-8"));
+}
+
+// Python takes the last of them, find() the first.
+TEST(Json, AKeyThatIsGivenTwiceInAnObjectIsAFault)
+{
+    EXPECT_EQ(faultOf("[{\"a\": 1, \"b\": {\"a\": 2}}, {\"a\": 3}]", 0), "none");
+    EXPECT_EQ(faultOf("{\"a\": 1,\n \"a\": 2}", 0), "a is given twice in the outermost object");
+    EXPECT_EQ(faultOf("{\"n\": {\"b\": [1, {\"x\": 2, \"x\": 2}]}}", 0), "x is given twice in n/b/1");
 }

@@ -360,6 +360,10 @@ TEST(Dictionary, DirectivesMergeRemoveAndChoose)
     }
     EXPECT_THAT(reportOfReading("a 1;\n#endif"), HasSubstr("without a condition"));
     EXPECT_THAT(reportOfReading("#includ \"x\""), HasSubstr("Did you mean #include?"));
+    EXPECT_THAT(reportOfReading("#calc \"2*3\";"),
+                HasSubstr("#calc cannot stand here: it is the value of an"));
+    EXPECT_THAT(reportOfReading("a 1\n#remove b;"),
+                HasSubstr("#remove cannot stand here: it stands where an"));
     EXPECT_THAT(reportOfReading("a #codeStream { code #{ #}; };"), HasSubstr("never run code"));
     EXPECT_THAT(reportOfReading("#system \"touch /tmp/x\""), HasSubstr("never run code"));
 }

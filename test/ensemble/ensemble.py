@@ -330,6 +330,39 @@ class Ensemble(CaseTest):
             self.assertEqual(os.listdir(os.path.join(case, "postProcessing/ensemble/0/work")), [])
             self.assertNotIn("Samples: 40 of 40", done.stdout)
 
+    def testRecordsOutsideConstantCount(self):
+        case = self.case("recordsBeside")
+        for name in ("a", "b"):
+            os.makedirs(os.path.join(case, "records"), exist_ok=True)
+            with open(os.path.join(case, f"records/{name}.csv"), "w", encoding="utf-8") as file:
+                file.write("t [s],a [m/s2]\n0,0\n0.05,1\n0.1,0\n")
+        for name, text in {
+                "constant/groundMotion": 'direction (1 0 0);\nacceleration { type record; file "records/a.csv"; format csv; }\n',
+                "system/controlDict": "application contactDynamics; startFrom startTime; startTime 0; stopAt endTime;\n"
+                                      "endTime 0.1; deltaT 0.01; writeControl runTime; writeInterval 1;\n",
+                "system/ensembleDict": 'applications (blockTexture contactDynamics);\nvariables { record { file "constant/'
+                                       'groundMotion"; entry "acceleration/file"; distribution { type list; values '
+                                       '("records/a.csv" "records/b.csv"); } } }\ndesign { type grid; }\n'
+                                       'results { drift { type displacement; } }\n'}.items():
+            with open(os.path.join(case, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        self.run_(case)
+        self.run_(case)
+        with open(os.path.join(case, "records/b.csv"), "a", encoding="utf-8") as file:
+            file.write("0.2,0\n")
+        self.assertIn("records/b.csv has changed", self.run_(case, status=1).stderr)
+
+    def testWhatApplicationsWarnOfIsSaidOnceAboutTheCase(self):
+        for name, applications in {"improbable": "blockTexture limitAnalysis",
+                                   "improbableCopy": "blockTexture checkBlocks limitAnalysis"}.items():
+            case = self.case(name, applications=applications, samples=4)
+            with open(os.path.join(case, "constant/materialProperties"), "w", encoding="utf-8") as file:
+                file.write("density 2.2;\n")
+            for options in ("-dry-run",), ():
+                done = self.run_(case, *options)
+                self.assertEqual(done.stderr.count("density = 2.2 [kg/m3] is unusual"), 1, done.stderr)
+                self.assertIn(f"file: {case}/constant/materialProperties/density at line 1.", done.stderr)
+
     def testProcessesAreAWholeNumber(self):
         case = self.case("jobs", samples=4)
         for jobs in ("1.5", "1e3", "2x", "3 4", "0", "1025"):

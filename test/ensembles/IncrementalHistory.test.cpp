@@ -91,6 +91,36 @@ TEST_F(IncrementalHistoryTest, OfOtherInputIsLeftAside)
     EXPECT_EQ(history().known()[0].at(0).intensity, 0.6);
 }
 
+// Its direction, start and padding leave the peak of a record as it is, and so does most of its file.
+TEST_F(IncrementalHistoryTest, OfOtherRecordsIsLeftAside)
+{
+    const std::string records = "records { first { file \"records/a.csv\"; direction (1 0 0); } second "
+                                "{ file \"constant/b.csv\"; } }";
+    const std::string other = "what system/incrementalDynamicsDict requests of a run has changed";
+    std::filesystem::create_directories(folder / "system");
+    std::filesystem::create_directories(folder / "records");
+    const auto write =
+        [&](const char* file, std::string text, const std::string& old = "", const char* with = "")
+    {
+        text.replace(text.find(old), old.size(), with);
+        writeWholeFile(folder / file, text);
+    };
+    write("system/incrementalDynamicsDict", records);
+    write("records/a.csv", "0 1");
+    history().add(0, someRun(0.5));
+    EXPECT_EQ(history().count(), 1u);
+    for (const char* changed :
+         {"direction (0 1 0)", "direction (1 0 0); start 2", "direction (1 0 0); padding (1 0)"})
+    {
+        write("system/incrementalDynamicsDict", records, "direction (1 0 0)", changed);
+        EXPECT_EQ(history().changeOfInput(), other) << changed;
+    }
+    write("system/incrementalDynamicsDict", "jobs 3; // layout\n" + records);
+    EXPECT_EQ(history().changeOfInput(), "");
+    write("records/a.csv", "0 1 ");
+    EXPECT_EQ(history().changeOfInput(), "records/a.csv has changed");
+}
+
 TEST_F(IncrementalHistoryTest, DamagedRowsAreNamed)
 {
     history().add(0, someRun(0.5));

@@ -351,6 +351,13 @@ TEST(CompasJson, ANodeNamesTheZonesOfItsBlock)
     EXPECT_THAT(zonesOf(R"(, "is_support": 1)"), testing::ElementsAre("is_support"));
     EXPECT_THAT(zonesOf(R"(, "is_support": 0)"), testing::IsEmpty());
     EXPECT_THAT(zonesOf(R"(, "is_support": null)"), testing::IsEmpty());
+    const std::string byDefault = fmt::format(
+        R"({{"default_node_attributes": {{"is_support": true}}, "node": {{"0": {{"block": {0}}}, "1": {{"block": {0},
+        "is_support": false}}}}, "edge": {{}}}})",
+        meshOf(cube, "Mesh", "data"));
+    const Solids solids = readCompasJson(fileOf(byDefault));
+    EXPECT_THAT(solids.solids[0].zones, testing::ElementsAre("is_support"));
+    EXPECT_THAT(solids.solids[1].zones, testing::IsEmpty());
     for (const std::string_view wrong : {"\"yes\"", "2", "[]"})
     {
         EXPECT_THAT(reportOf([&] { zonesOf(fmt::format(R"(, "is_support": {})", wrong)); }),
@@ -396,6 +403,7 @@ TEST(CompasJson, FaultsAreNamedWithTheirPath)
     EXPECT_THAT(
         report(today, "\"x\": 1", "\"x\": \"1\""),
         AllOf(HasSubstr("A number is expected"), HasSubstr("data/graph/data/node/3/block/data/vertex/1/x")));
+    EXPECT_THAT(report(today, "\"x\": 1", "\"x\": null"), HasSubstr("A number is expected"));
     const std::string face = fmt::format("\"0\": [{}", fmt::join(cube.faces[0], ", "));
     EXPECT_THAT(report(today, face, "\"0\": [0, 1, 9"), AllOf(HasSubstr("vertex 9"), HasSubstr("face/0")));
     EXPECT_THAT(report(today, face, "\"0\": [0, 1, 2.4"), HasSubstr("vertex 2.4"));

@@ -239,6 +239,26 @@ class ParameterSearch(CaseTest):
         self.assertIn("The first point of the search cannot be computed", done.stderr)
         self.assertIn("valu", done.stderr)
 
+        self.assertRegex(done.stderr, r"file: constant/g/valu at line 2")  # of the case, not of its copy
+        self.assertNotIn("evaluation/constant", done.stderr)
+
+    def testWhatApplicationsWarnOfIsSaidOnceAboutTheCase(self):
+        case = self.case("improbable", evaluations="5", algorithm="DIRECT_L")
+        with open(os.path.join(case, "constant/materialProperties"), "w", encoding="utf-8") as file:
+            file.write("density 2.2;\n")
+        dictionary = os.path.join(case, "system/parameterSearchDict")
+        with open(dictionary, encoding="utf-8") as file:  # every friction coefficient that is tried is improbable
+            text = file.read().replace('file "constant/loads"; entry angle; bounds (0 90);',
+                                       'file "constant/contactProperties"; entry "friction/mu"; bounds (30 31);')
+        with open(dictionary, "w", encoding="utf-8") as file:
+            file.write(text)
+        for options in ("-dry-run",), ():
+            done = self.run_(case, *options)
+            self.assertEqual(done.stderr.count("density = 2.2 [kg/m3] is unusual"), 1, done.stderr)
+            self.assertEqual(len(re.findall(r"mu = 30(\.\d+)? \[-\] is unusual", done.stderr)), 1, done.stderr)
+            self.assertIn(f"file: {case}/constant/materialProperties/density at line 1.", done.stderr)
+            self.assertEqual(done.stderr.count("--> DRYSTONE Warning"), 2, done.stderr)
+
     def testAnUnreadableFirstPointCountsWhereOtherwiseIsGivenButNotASecondOne(self):
         case = self.case("badBound", otherwise="otherwise -1;", algorithm="bisection",
                          constraints="constraints { rubs { value alpha; atLeast 0.3; } }")

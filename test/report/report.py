@@ -480,6 +480,18 @@ statistics { capacity { type distribution; value alpha; } }
         self.edit(case, "system/parameterSearchDict", "objective/goal", "maximise")
         self.checkWarns(case, "parameterSearch are those of other input: system/parameterSearchDict has changed")
 
+    def testWarnsOfAnIncrementalAnalysisOfAnotherCriterion(self):
+        case = self.copyOf(os.path.join(tutorial, "../../incrementalDynamics/masonryPanels/wall"))
+        shutil.copy(os.path.join(tutorial, "wall1/system/blockTextureDict"), os.path.join(case, "system"))
+        dictionary = "system/incrementalDynamicsDict"
+        self.edit(case, "system/controlDict", "endTime", "0.02")
+        self.edit(case, dictionary, "intensity/tolerance", "0.3")
+        self.runApplication("blockTexture", case)
+        self.runApplication("incrementalDynamics", case)
+        self.checkWarnsOfNothing(case)
+        self.edit(case, dictionary, "criterion/displacement", "1e-3")
+        self.checkWarns(case, "incrementalDynamics are those of other input: system/incrementalDynamicsDict has changed")
+
     def testOfASettlementAlphaIsAReaction(self):
         case = self.caseOf("../settlement/vertical")
         self.runApplication("limitAnalysis", case, "-report")

@@ -372,8 +372,22 @@ TEST(CsvReader, ReadsEverySeparator)
     EXPECT_EQ(csv("\"t\",\"a [m/s2]\"\n0, 0.25\n1, -2\n2, 3", {"t", "a", 0, ""}).accelerations, expected);
 }
 
+TEST(CsvReader, AUnitAfterABlankBelongsToItsTitle)
+{
+    for (const char* titles : {"time [s] a [gal]", "t (s)   a (cm/s2)", "t a [gal]", " t [s] a [gal] \r"})
+    {
+        EXPECT_DOUBLE_EQ(csv(std::string(titles) + "\n0 1\n0.5 200\n", {}).accelerations[1], 2) << titles;
+    }
+    EXPECT_DOUBLE_EQ(csv("t [ms] north [g] east [gal]\n0 1 1\n500 2 200\n", {0, "east", 0, ""}).times[1],
+                     0.5);
+    EXPECT_DOUBLE_EQ(
+        csv("t [ms] north [g] east [gal]\n0 1 1\n500 2 200\n", {0, "east", 0, ""}).accelerations[1], 2);
+}
+
 TEST(CsvReader, ReadsEquallySpacedValuesWithoutTimes)
 {
+    EXPECT_DOUBLE_EQ(csv("acceleration [gal]\n100\n300\n", {.timeStep = 0.01, .unit = ""}).accelerations[1],
+                     3);
     const Record record = csv("a\n1\n2\n3\n", {0, "a", 0.02, "gal"});
     EXPECT_EQ(record.times, (std::vector<double>{0, 0.02, 0.04}));
     EXPECT_DOUBLE_EQ(record.accelerations[2], 0.03);

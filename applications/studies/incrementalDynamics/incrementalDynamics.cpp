@@ -9,6 +9,8 @@
 #include "ensembles/IncrementalDynamicsCase.h"
 #include "ensembles/IncrementalDynamicsLog.h"
 #include "ensembles/IncrementalHistory.h"
+#include "ensembles/StudyInput.h"
+#include "functionObjects/KeptResults.h"
 #include "functionObjects/LimitAnalysisResults.h"
 #include "runControl/Application.h"
 
@@ -64,6 +66,7 @@ int runIn(const CommandLine& commandLine)
         known);
     printLeast(study, curves);
     writeIncrementalDynamics(folder, study, curves);
+    writeInput(folder / "input", inputOfQuestions(commandLine.caseDirectory, "incrementalDynamics"));
     printExecutionTime();
     printStopOrEnd("The tables hold the runs that are done; started again, it continues.");
     return exitStatus(curves);
