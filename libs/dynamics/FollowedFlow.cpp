@@ -218,8 +218,13 @@ bool followFromAfar(FollowedFlow<Dim>& flow, ConeSolution& solution, const ConeS
         leaveWorkForPrograms(flow);
     }
     const StepProgram<Dim>& program = flow.problem.program;
+    double lostFrom = 0; // how much softer points were at a first stage that is not reached
     for (std::size_t way = 0; way < waysIn(Dim); ++way)
     {
+        if (softenings[way].front() == lostFrom)
+        {
+            continue;
+        }
         flow.program = program;
         solution = start;
         bool isReached = true;
@@ -229,6 +234,7 @@ bool followFromAfar(FollowedFlow<Dim>& flow, ConeSolution& solution, const ConeS
             softer.stiffness /= softenings[way][stage];
             softer.isLast = stage + 1 == softenings[way].size();
             isReached = followTo(flow, solution, softer);
+            lostFrom = stage == 0 && !isReached ? softenings[way].front() : lostFrom;
         }
         if (isReached)
         {

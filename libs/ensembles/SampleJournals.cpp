@@ -102,7 +102,7 @@ struct LeftOut
 Journal::Journal(const fs::path& path) : file(path), descriptor(openFile(path, O_WRONLY | O_APPEND))
 {
     // After a worker that was ended in the middle of a row.
-    pending = "\n" + planMark(file.parent_path());
+    pending = fmt::format("\n{}", planMark(file.parent_path()));
 }
 
 Journal::~Journal()

@@ -131,7 +131,7 @@ bool isMultiplier(const LimitAnalysis& answer)
     return answer.status == CollapseStatus::optimal && std::isfinite(answer.alpha);
 }
 
-std::string verdict(const LimitAnalysis& answer)
+std::string verdict(const LimitAnalysis& answer, FlowRule flowRule)
 {
     switch (answer.status)
     {
@@ -144,7 +144,11 @@ std::string verdict(const LimitAnalysis& answer)
     case CollapseStatus::unstable:
         return "unstable: the blocks cannot carry their dead load";
     case CollapseStatus::unbounded:
-        return "unbounded: no load of this direction makes it collapse";
+        // Whether that is proved for Coulomb's law is in the log, which is quoted above.
+        return flowRule == FlowRule::nonAssociative
+                   ? "unbounded: some forces carry any multiple of the live load, and no collapse by "
+                     "Coulomb's law was found with others"
+                   : "unbounded: no load of this direction makes it collapse";
     case CollapseStatus::upperBound:
         return "no collapse by Coulomb's law was found: alpha is no larger in size than that of the "
                "associative "
@@ -287,7 +291,8 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory, InputOfResults i
     {
         page.paragraph(meaningOfAlpha(structure));
     }
-    if (flowRuleOf(structure.contact) == FlowRule::nonAssociative)
+    const FlowRule flowRule = flowRuleOf(structure.contact);
+    if (flowRule == FlowRule::nonAssociative)
     {
         for (const std::string& sentence : searchInLog(caseDirectory))
         {
@@ -301,7 +306,7 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory, InputOfResults i
     for (const LimitAnalysis& answer : answers)
     {
         page.paragraph((answer.combination.empty() ? "" : "Combination " + answer.combination + ": ")
-                       + verdict(answer) + ".");
+                       + verdict(answer, flowRule) + ".");
         if (answer.status == CollapseStatus::unstable && input == InputOfResults::same)
         {
             addIfAny(page, instabilityCause(structure.assembly, structure.points));
