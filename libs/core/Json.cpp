@@ -83,8 +83,7 @@ private:
         const std::string word = lowerCase(std::string(begin, std::find_if_not(begin, text.end(), isOfWord)));
         return word == "nan" || word == "inf" || word == "infinity"
                    ? ": NaN and Infinity are no numbers. The program that wrote them could not compute what "
-                     "was "
-                     "to stand there"
+                     "was to stand there"
                    : "";
     }
 

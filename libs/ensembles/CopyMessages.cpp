@@ -4,7 +4,6 @@
 
 #include "core/Error.h"
 
-#include <algorithm>
 #include <cctype>
 #include <string_view>
 
@@ -28,7 +27,7 @@ std::string withoutNumbers(std::string text)
 {
     const auto isOfNumber = [](unsigned char letter)
     { return std::isdigit(letter) != 0 || letter == '.' || letter == '-' || letter == '+'; };
-    text.erase(std::remove_if(text.begin(), text.end(), isOfNumber), text.end());
+    std::erase_if(text, isOfNumber);
     return text;
 }
 
@@ -48,13 +47,13 @@ std::string faultOfCopy(std::string message, const fs::path& copy)
 std::vector<std::string> warningsOfCopy(const std::string& errors, const fs::path& copy,
                                         const fs::path& caseDirectory)
 {
-    constexpr std::string_view heading = "--> DRYSTONE ";
+    constexpr std::string_view beginning = "--> DRYSTONE ";
     constexpr std::string_view kind = "Warning :\n";
     std::vector<std::string> warnings;
-    for (auto at = errors.find(heading); at != std::string::npos;)
+    for (auto at = errors.find(beginning); at != std::string::npos;)
     {
-        const auto begin = at + heading.size();
-        at = errors.find(heading, begin);
+        const auto begin = at + beginning.size();
+        at = errors.find(beginning, begin);
         std::string message = errors.substr(begin, at == std::string::npos ? at : at - begin);
         if (message.rfind(kind, 0) == 0)
         {

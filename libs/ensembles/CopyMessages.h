@@ -15,8 +15,8 @@ namespace drystone
 /// what frames a message.
 std::string faultOfCopy(std::string message, const std::filesystem::path& copy);
 
-/// The warnings among what an application wrote on standard error, without their headings, about files of the
-/// case in place of those of the copy.
+/// The warnings among what an application wrote on standard error, without the line that begins each, about
+/// files of the case in place of those of the copy.
 std::vector<std::string> warningsOfCopy(const std::string& errors, const std::filesystem::path& copy,
                                         const std::filesystem::path& caseDirectory);
 

@@ -158,7 +158,7 @@ std::vector<std::string> warningsOf(const PointRun& run)
     { return warning.find("/limitAnalysis/nonAssociative/maximumTime at line") != std::string::npos; };
     if (!run.cutShortIn.empty())
     {
-        warnings.erase(std::remove_if(warnings.begin(), warnings.end(), isCounted), warnings.end());
+        std::erase_if(warnings, isCounted);
     }
     return warnings;
 }

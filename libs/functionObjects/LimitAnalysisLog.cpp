@@ -62,8 +62,7 @@ std::string statusText(const LimitAnalysisCase<Dim>& structure, const LimitAnaly
     case CollapseStatus::upperBound:
         return std::isfinite(result.alpha)
                    ? "upper bound (no collapse by Coulomb's law was found; forces and mechanism are those of "
-                     "the "
-                     "associative law)"
+                     "the associative law)"
                    : "no answer (no collapse by Coulomb's law was found until maximumTime ended the search, "
                      "and by the associative law, which wedges blocks that slide, there is none: more time "
                      "may find one)";
