@@ -6,10 +6,19 @@
 
 namespace drystone
 {
+namespace
+{
+
+/// By how much more than the image of an expanding map, which plain iteration leaves by a few per cent at
+/// times.
+constexpr double away = 2;
+
+} // namespace
 
 Eigen::VectorXd AcceleratedIteration::next(const Eigen::VectorXd& x, const Eigen::VectorXd& image)
 {
     const Eigen::VectorXd residual = image - x;
+    const bool isExpanding = lastResidual.size() > 0 && growsMore(x, image, residual);
     if (lastResidual.size() > 0)
     {
         if (residualChanges.size() == depth)
@@ -40,13 +49,23 @@ Eigen::VectorXd AcceleratedIteration::next(const Eigen::VectorXd& x, const Eigen
     }
     result = result.cwiseMax(0.0);
     const double reached = image.lpNorm<Eigen::Infinity>();
-    if (reached > 2 * x.lpNorm<Eigen::Infinity>() && result.lpNorm<Eigen::Infinity>() < reached / 2)
+    const bool leadsBack = result.lpNorm<Eigen::Infinity>() < reached / 2;
+    if (leadsBack && (isExpanding || reached > 2 * x.lpNorm<Eigen::Infinity>()))
     {
         residualChanges.clear();
         imageChanges.clear();
-        return image;
+        return isExpanding ? Eigen::VectorXd(away * image) : image;
     }
     return result;
+}
+
+bool AcceleratedIteration::growsMore(const Eigen::VectorXd& x, const Eigen::VectorXd& image,
+                                     const Eigen::VectorXd& residual) const
+{
+    const double before = (lastImage - lastResidual).lpNorm<Eigen::Infinity>();
+    const double now = x.lpNorm<Eigen::Infinity>();
+    return before < now && now < image.lpNorm<Eigen::Infinity>()
+           && residual.lpNorm<Eigen::Infinity>() > lastResidual.lpNorm<Eigen::Infinity>();
 }
 
 } // namespace drystone

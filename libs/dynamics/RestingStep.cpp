@@ -40,11 +40,23 @@ Rest restWith(const StepProgram<Dim>& program, const Eigen::VectorXd& contactFor
 }
 
 template<int Dim>
+StepProgram<Dim> closedWithin(const StepProgram<Dim>& program, const StepSettings& settings)
+{
+    StepProgram<Dim> closed = program;
+    for (int point = 0; point < program.points(); ++point)
+    {
+        double& gap = closed.gap[Dim * point];
+        gap = std::abs(gap) <= settings.contactOverlap * settings.blockSize ? 0 : gap;
+    }
+    return closed;
+}
+
+template<int Dim>
 Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
                 const StepSettings& settings, ThetaStep& step)
 {
     constexpr double shareOfTolerance = 0.1;
-    StepProgram<Dim> closed = program;
+    const StepProgram<Dim> closed = closedWithin(program, settings);
     std::vector<int> pressing;
     StepProgram<Dim> carried;
     carried.bodies = program.bodies;
@@ -53,8 +65,6 @@ Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactF
     {
         if (contactForce[Dim * point] > 0)
         {
-            double& gap = closed.gap[Dim * point];
-            gap = std::abs(gap) <= settings.contactOverlap * settings.blockSize ? 0 : gap;
             pressing.push_back(point);
             carried.contacts.push_back(program.contacts[static_cast<std::size_t>(point)]);
             carried.friction.push_back(program.friction[static_cast<std::size_t>(point)]);
@@ -121,6 +131,7 @@ bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const SolverC
     Rest rest = restWith(program, solution.contactForce);
     SolverChoice closer = solver;
     closer.tolerance = std::max(closest, 0.1 * solver.tolerance * solver.tolerance);
+    closer.isNearTried = Dim == 2; // round cones keep no digits of a start
     if (rest.certificate.worst() > solver.tolerance && rest.certificate.worst() <= nearly
         && closer.tolerance < solver.tolerance && solver.solver != SolverType::gaussSeidel)
     {
@@ -129,6 +140,7 @@ bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const SolverC
     return comesToRest(step, program, std::move(rest), solver.tolerance);
 }
 
+template StepProgram<2> closedWithin(const StepProgram<2>& program, const StepSettings& settings);
 template Rest restWith(const StepProgram<2>& program, const Eigen::VectorXd& contactForce);
 template Rest restWithin(const StepProgram<2>& program, const Eigen::VectorXd& contactForce,
                          const StepSettings& settings, ThetaStep& step);
@@ -138,6 +150,7 @@ template bool standsStill(ThetaStep& step, const StepProgram<2>& program, const 
                           const ConeSolution& solution, SymbolicAnalysis* symbolic);
 template ConeSolution solveCounted(ThetaStep& step, const StepProgram<2>& program, const SolverChoice& solver,
                                    const ConeSolution& start, SymbolicAnalysis* symbolic);
+template StepProgram<3> closedWithin(const StepProgram<3>& program, const StepSettings& settings);
 template Rest restWith(const StepProgram<3>& program, const Eigen::VectorXd& contactForce);
 template Rest restWithin(const StepProgram<3>& program, const Eigen::VectorXd& contactForce,
                          const StepSettings& settings, ThetaStep& step);

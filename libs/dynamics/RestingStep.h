@@ -17,8 +17,12 @@ struct Rest
 template<int Dim>
 Rest restWith(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce);
 
-/// Likewise of points that give way: overlaps of those that press count as none, and where the forces do not
-/// balance the loads by what the blocks creep, those nearest to them do, at the same points, by one
+/// A program whose points touch where they are apart, or overlap, by no more than points may give way.
+template<int Dim>
+StepProgram<Dim> closedWithin(const StepProgram<Dim>& program, const StepSettings& settings);
+
+/// Likewise of points that give way: those within what they may count as touching, and where the forces do
+/// not balance the loads by what the blocks creep, those nearest to them do, at the same points, by one
 /// factorisation, which is counted on the step.
 template<int Dim>
 Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,

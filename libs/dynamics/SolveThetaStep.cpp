@@ -40,6 +40,11 @@ constexpr double largerShareOfStep = 0.15;
 constexpr int programsToLargerShare = 15;
 constexpr double nearlySolved = 1000; // times the tolerance
 
+/// Nor does an error matter that is this part of how far the loads would take the blocks without contacts: as
+/// much of g. Where little moves at first (some 1e-6 of it), a hundredth of that is less than a program
+/// tells.
+constexpr double negligibleShare = 1e-5;
+
 /// Of an impact it is so much of the velocities that blocks have, but no more than this part of their change.
 constexpr double shareOfChange = 0.3;
 
@@ -95,6 +100,7 @@ private:
     void flyFreely();
     bool rests();
     bool creeps() const;
+    double negligibleWay() const;
     void chooseFollowing();
     void chooseStart();
     void expectSliding();
@@ -109,6 +115,7 @@ private:
     void completeStep();
     bool isOfNoUse() const;
     bool beginsFromPlace();
+    double wayOfLoads() const;
     bool meetsFlow();
     bool meetsGaps();
     FlowProblem<Dim> flowProblem()
@@ -174,6 +181,13 @@ bool StepSearch<Dim>::rests()
     return comesToRest(step, program, std::move(rest), settings.solver.tolerance);
 }
 
+/// What points may give way by [m].
+template<int Dim>
+double StepSearch<Dim>::negligibleWay() const
+{
+    return followsFlow(settings) ? settings.contactOverlap * settings.blockSize : 0;
+}
+
 /// Whether the points that press move by no more than they give way: followed from step to step they slip so
 /// little in each to carry their shear, where rigid points may hold the blocks where they are.
 template<int Dim>
@@ -188,7 +202,7 @@ bool StepSearch<Dim>::creeps() const
     for (int point = 0; isSlow && point < program.points(); ++point)
     {
         isSlow = !(start.contactForce[Dim * point] > 0)
-                 || closing.segment<Dim>(Dim * point).norm() <= settings.contactOverlap * settings.blockSize;
+                 || closing.segment<Dim>(Dim * point).norm() <= negligibleWay();
     }
     return isSlow && !start.contactForce.isZero(0);
 }
@@ -251,20 +265,24 @@ void StepSearch<Dim>::expectSliding()
                           : Eigen::VectorXd(Eigen::VectorXd::Zero(program.load.size()));
 }
 
+/// Whether blocks stand, or move by no more than points may give way.
 template<int Dim>
 bool StepSearch<Dim>::beginsAtRest() const
 {
-    return !isImpact && !program.hasCompliance() && isGuessed && guess.displacement.isZero(0)
-           && !start.contactForce.isZero(0);
+    return !isImpact && !program.hasCompliance() && isGuessed && !start.contactForce.isZero(0)
+           && farthestMotion<Dim>(guess.displacement, settings.blockSize) <= negligibleWay();
 }
 
 /// Whether there are forces that hold the blocks where they are, by a program of the associative law, which
-/// has no other solution then. By Coulomb's law it may: what is at rest stays at rest if it can.
+/// has no other solution then. By Coulomb's law it may: what is at rest stays at rest if it can. Points that
+/// give way count as touching: rigid ones would be pushed apart by their overlaps, and a structure that has
+/// come to rest on them would be moved by that in each step, until no step is found.
 template<int Dim>
 bool StepSearch<Dim>::staysAtRest()
 {
     ThetaStep trial = step;
-    solveOnce(trial, program, withinWork(settings, step, program), start, symbolic);
+    const StepProgram<Dim> touching = followsFlow(settings) ? closedWithin(program, settings) : program;
+    solveOnce(trial, touching, withinWork(settings, step, program), start, symbolic);
     step.iterations = trial.iterations;
     step.factorisations = trial.factorisations;
     const bool isAtRest = trial.status == SolveStatus::optimal && trial.displacement.isZero(0);
@@ -346,6 +364,13 @@ bool StepSearch<Dim>::beginsFromPlace()
     return true;
 }
 
+/// How far the loads would take the blocks without contacts [m].
+template<int Dim>
+double StepSearch<Dim>::wayOfLoads() const
+{
+    return farthestMotion<Dim>(displacementUnder(program, program.load), settings.blockSize);
+}
+
 /// Whether the gaps that the motion opens by Coulomb's law are those that the program had; the next has new
 /// ones.
 template<int Dim>
@@ -365,8 +390,9 @@ bool StepSearch<Dim>::meetsFlow()
     const double share = step.programs < programsToLargerShare ? shareOfStep : largerShareOfStep;
     const double small = isImpact ? std::min(shareOfChange * moved, share * farthest) : share * moved;
     const double certified = tolerance * std::max(farthest, gap.template lpNorm<Eigen::Infinity>());
-    const double negligible =
-        isImpact && step.programs > programsToLargerShare ? negligibleVelocity * farthest : 0;
+    const double negligible = !isImpact ? std::min(negligibleWay(), negligibleShare * wayOfLoads())
+                              : step.programs > programsToLargerShare ? negligibleVelocity * farthest
+                                                                      : 0;
     const bool isExact =
         !isImpact
         && (step.programs < programsToExactFlow || (!isBalanced && step.programs < programsToLargerShare));
