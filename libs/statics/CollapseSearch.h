@@ -39,7 +39,8 @@ public:
     void go(int number);
 
     /// With the forces of the associative collapse a mechanism that does not open where it slides, and what
-    /// follows from it: blocks that slide on level joints at alpha = mu.
+    /// follows from it: blocks that slide on level joints at alpha = mu. One program at first,
+    /// and no more where the search is over.
     void takeAssociativeForces();
 
     /// Pairs from steps from rest, with the forces of the associative collapse to begin with, or of the dead

@@ -101,7 +101,9 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
     // been tried with dilatancy; in space what follows may lead to a collapse.
     const auto isSettled = [&] { return Forces == 2 && search.fall.exists(); };
     const auto isShort = [&] { return (!search.lowest.exists() || search.isByRefinement) && !isSettled(); };
-    if (isShort() && !search.isOver())
+    // One program: in space, where a path may take longer than the time there is, also after that.
+    const bool isTooLate = search.isOver() && (Forces == 2 || search.lowest.exists());
+    if (isShort() && !isTooLate)
     {
         search.takeAssociativeForces();
     }

@@ -86,8 +86,8 @@ void declare(Options& options, NonAssociativeSettings& settings);
 /// exceeds; where there is no such collapse, `unbounded`: forces that either law allows carry any multiple of
 /// the live load, and nothing was found to collapse all the same (by a mixed-integer program over the states
 /// of all points none of 47 such small structures has a pair). A search whose time is over ends at the next
-/// piece of a path, step or exchange, with what it has met until then, and with nothing where that is all
-/// that is known. What the friction cones cannot carry is `unstable` with either law.
+/// piece of a path, step or exchange, with what it has met until then, in space or else that mechanism. What
+/// the friction cones cannot carry is `unstable` with either law.
 ///
 /// Where no pair is met the range says from where on there may be one. A pair of Coulomb's law has
 /// (c - c')'A'y >= 0 for all forces c' with |c'_t| <= C - mu T, -T <= c'_n <= N: where a point opens, c_n is

@@ -88,6 +88,20 @@ TEST(CoulombInSpace, AWallThatIsTurnedOrMirroredCollapsesAtTheSameMultiplier)
     }
 }
 
+// What the forces of the associative collapse allow costs one program, but was tried after all paths: with
+// the time over before, there was a bound alone.
+TEST(CoulombInSpace, BoxesThatSlideAreAnsweredWhenTheTimeIsOverAtOnce)
+{
+    const Assembly<3> assembly =
+        test::onGround({makeBox({0, 0, 0}, {0.4, 0.7, 0.3}), makeBox({0.4, 0, 0}, {0.8, 0.7, 0.3})});
+    const SpaceConeProgram program =
+        test::programOf(assembly, findContactPoints(assembly), 0.5, test::pushed(assembly, {1, 0, 0}));
+    const LimitAnalysis result = solveNonAssociative(program, {.isOver = [] { return true; }});
+    EXPECT_TRUE(isCutShort(result));
+    expectCoulomb(program, result);
+    EXPECT_NEAR(result.alpha, 0.5, 1e-6);
+}
+
 // Law 6: without dilatancy the prism is not wedged.
 TEST(CoulombInSpace, APrismInAGrooveSlidesAtMuOverCosine)
 {
