@@ -68,7 +68,9 @@ template<int Rows, int Forces>
 CollapseSearch<Rows, Forces>::CollapseSearch(const Program& program, const NonAssociativeSettings& settings,
                                              const InteriorPointSettings& solver, LimitAnalysis& work)
     : followsPaths(program.points() <= mostPathPoints),
-      given(program),
+      frame(program),
+      structure(program),
+      given(frame.program),
       searchSettings(settings),
       solverSettings(solver),
       effort(work),
@@ -78,11 +80,24 @@ CollapseSearch<Rows, Forces>::CollapseSearch(const Program& program, const NonAs
     range.lowest = std::numeric_limits<double>::infinity();
     range.highest = -range.lowest;
     range.associative = range.lowest;
-    if (work.status == CollapseStatus::optimal)
+    if (work.status != CollapseStatus::optimal)
     {
-        range.associative = work.alpha;
+        return;
+    }
+    range.associative = work.alpha;
+    LimitAnalysis own = work;
+    if (Forces == 3)
+    {
+        // Forces that differ in the last digits would be another start, and another number of
+        // factorisations.
+        ofStructure = work.factorisations;
+        own = solveLimitAnalysis(given, solver, &symbolicAnalysis);
+        addWork(work, own);
+    }
+    if (own.status == CollapseStatus::optimal)
+    {
         associativePair = {
-            work.alpha, work.contactForce, work.mechanism / program.liveLoad.dot(work.mechanism), {}};
+            own.alpha, own.contactForce, own.mechanism / given.liveLoad.dot(own.mechanism), {}};
     }
 }
 
@@ -114,7 +129,7 @@ bool CollapseSearch<Rows, Forces>::isOver()
 template<int Rows, int Forces>
 bool CollapseSearch<Rows, Forces>::isCheap() const
 {
-    return static_cast<double>(effort.factorisations) * given.points() < cheapWork<Forces>;
+    return static_cast<double>(effort.factorisations - ofStructure) * given.points() < cheapWork<Forces>;
 }
 
 template<int Rows, int Forces>
@@ -307,10 +322,17 @@ auto CollapseSearch<Rows, Forces>::lowForces(const CoulombPair& pair, double gam
 }
 
 template<int Rows, int Forces>
+CoulombResiduals CollapseSearch<Rows, Forces>::judged(const CoulombPair& pair, double liveWork) const
+{
+    const CoulombPair turned = frame.inGiven(pair);
+    return coulombResiduals(structure, turned.alpha, turned.contactForce, turned.mechanism, liveWork);
+}
+
+template<int Rows, int Forces>
 bool CollapseSearch<Rows, Forces>::consider(CoulombPair& pair)
 {
-    pair.alpha = std::min(pair.alpha, range.associative); // which it exceeds by rounding alone
-    pair.residuals = coulombResiduals(given, pair.alpha, pair.contactForce, pair.mechanism);
+    pair.alpha = std::min(pair.alpha, associativePair.alpha); // which it exceeds by rounding alone
+    pair.residuals = judged(pair, 1);
     if (!(pair.residuals.worst() <= searchSettings.tolerance))
     {
         return false;
@@ -339,7 +361,7 @@ template<int Rows, int Forces>
 void CollapseSearch<Rows, Forces>::considerFall(const CollapsePair& found)
 {
     CoulombPair pair{found.multiplier, found.contactForce, found.mechanism, {}};
-    pair.residuals = coulombResiduals(given, pair.alpha, pair.contactForce, pair.mechanism, 0);
+    pair.residuals = judged(pair, 0);
     if (pair.alpha >= 0 && pair.residuals.worst() <= searchSettings.tolerance && pair.alpha < fall.alpha)
     {
         range.fall = pair.alpha;

@@ -7,6 +7,7 @@
 #include "conic/form/Form.h"
 #include "statics/CoulombExchange.h"
 #include "statics/NonAssociative.h"
+#include "statics/ProperFrame.h"
 
 #include <optional>
 #include <random>
@@ -20,7 +21,7 @@ class CollapseSearch
 public:
     using Program = ConeProgram<Rows, Forces>;
 
-    /// \param work the associative analysis, whose work it adds to
+    /// \param work the associative analysis, whose work it adds to; of program, as residuals and pairs are
     CollapseSearch(const Program& program, const NonAssociativeSettings& settings,
                    const InteriorPointSettings& solver, LimitAnalysis& work);
 
@@ -38,7 +39,8 @@ public:
     void go(int number);
 
     /// With the forces of the associative collapse a mechanism that does not open where it slides, and what
-    /// follows from it: blocks that slide on level joints at alpha = mu.
+    /// follows from it: blocks that slide on level joints at alpha = mu. One program at first,
+    /// and no more where the search is over.
     void takeAssociativeForces();
 
     /// Pairs from steps from rest, with the forces of the associative collapse to begin with, or of the dead
@@ -54,6 +56,7 @@ public:
     /// Whether all pairs are near the ends of paths, but were not met by them.
     bool isByRefinement = false;
     CoulombRange range;
+    ProperFrame<Rows, Forces> frame; ///< in which all forces and mechanisms here are
     CoulombPair lowest;
     CoulombPair fall;  ///< the lowest, on whose mechanism the live load does no work
     CoulombPair below; ///< the highest of those below zero
@@ -83,6 +86,8 @@ private:
     /// Forces of a low multiplier that suit the mechanism of a pair.
     std::optional<Start> lowForces(const CoulombPair& pair, double gamma);
 
+    /// How far a pair is from the law, in the structure. \param liveWork what the live load's work has to be
+    CoulombResiduals judged(const CoulombPair& pair, double liveWork) const;
     /// Judges a pair, and takes it if it meets the tolerance. \return whether it does
     bool consider(CoulombPair& pair);
     /// Takes blocks that fall under the dead load alone.
@@ -110,10 +115,12 @@ private:
     /// those forces, in turn, while the multiplier falls.
     void descend(CoulombPair pair);
 
-    const Program& given;
+    const Program& structure; ///< as it is in its own axes, in which pairs are judged
+    const Program& given;     ///< in the frame
     NonAssociativeSettings searchSettings;
     InteriorPointSettings solverSettings;
     LimitAnalysis& effort;
+    int ofStructure = 0;               ///< factorisations of it in axes that are not those of the frame
     SymbolicAnalysis symbolicAnalysis; ///< of the last program: most have the same points
     std::mt19937 generator;
     CoulombPair associativePair; ///< where there is one; of the associative law

@@ -18,6 +18,24 @@ double relative(double value, double scale)
     return value == 0 ? 0 : value / scale;
 }
 
+/// The largest force, or moment times a factor, of a body: in space whatever the axes, in the plane by
+/// components. Infinite where one is no number. \param rows R b
+template<int Rows, int Forces>
+double largestOfBody(const VectorXd& rows, double momentFactor)
+{
+    if constexpr (Forces == 2)
+    {
+        return largestRow<Rows, Forces>(rows, momentFactor);
+    }
+    double largest = 0;
+    for (Eigen::Index row = 0; row < rows.size(); row += Forces)
+    {
+        const double size = rows.template segment<Forces>(row).norm() * (row % Rows == 0 ? 1 : momentFactor);
+        largest = std::isnan(size) ? std::numeric_limits<double>::infinity() : std::max(largest, size);
+    }
+    return largest;
+}
+
 } // namespace
 
 double CoulombResiduals::worst() const
@@ -34,10 +52,15 @@ CoulombResiduals coulombResiduals(const ConeProgram<Rows, Forces>& program, doub
     using Shear = Eigen::Matrix<double, Forces - 1, 1>;
     const double lever = meanLeverArm(program);
     const double largestLoad =
-        std::max(largestRow<Rows, Forces>(program.load, 1 / lever),
-                 std::abs(alpha) * largestRow<Rows, Forces>(program.liveLoad, 1 / lever));
-    const double largestForce = std::max(contactForce.lpNorm<Eigen::Infinity>(), largestLoad);
-    const double largestRate = largestRow<Rows, Forces>(mechanism, lever);
+        std::max(largestOfBody<Rows, Forces>(program.load, 1 / lever),
+                 std::abs(alpha) * largestOfBody<Rows, Forces>(program.liveLoad, 1 / lever));
+    double largestForce = largestLoad;
+    for (Eigen::Index row = 0; row < contactForce.size(); row += Forces)
+    {
+        largestForce = std::max({largestForce, std::abs(contactForce[row]),
+                                 contactForce.template segment<Forces - 1>(row + 1).norm()});
+    }
+    const double largestRate = largestOfBody<Rows, Forces>(mechanism, lever);
 
     CoulombResiduals residuals;
     VectorXd unbalanced = program.load + alpha * program.liveLoad;
@@ -80,7 +103,7 @@ CoulombResiduals coulombResiduals(const ConeProgram<Rows, Forces>& program, doub
             residuals.flow = std::max(residuals.flow, relative(-opening, largestRate));
         }
     }
-    residuals.balance = std::max(relative(largestRow<Rows, Forces>(unbalanced, 1 / lever), largestLoad),
+    residuals.balance = std::max(relative(largestOfBody<Rows, Forces>(unbalanced, 1 / lever), largestLoad),
                                  std::abs(program.liveLoad.dot(mechanism) - liveWork));
     residuals.mismatch =
         relative(std::abs(excess), std::max(dissipated, std::abs(program.load.dot(mechanism))));

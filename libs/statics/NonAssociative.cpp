@@ -97,10 +97,13 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
     // What wedges by the associative law mostly slides out with a mechanism of which a path knows the forces.
     search.takesMechanisms = ofAssociative == CollapseStatus::unbounded;
     followStarts();
-    // Pairs of motion from rest are mostly lower than those that had to be refined.
-    const auto isShort = [&]
-    { return (!search.lowest.exists() || search.isByRefinement) && !search.fall.exists(); };
-    if (isShort() && !search.isOver())
+    // Pairs of motion from rest are mostly lower than those that had to be refined. In the plane a fall has
+    // been tried with dilatancy; in space what follows may lead to a collapse.
+    const auto isSettled = [&] { return Forces == 2 && search.fall.exists(); };
+    const auto isShort = [&] { return (!search.lowest.exists() || search.isByRefinement) && !isSettled(); };
+    // One program: in space, where a path may take longer than the time there is, also after that.
+    const bool isTooLate = search.isOver() && (Forces == 2 || search.lowest.exists());
+    if (isShort() && !isTooLate)
     {
         search.takeAssociativeForces();
     }
@@ -108,7 +111,7 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
     {
         search.takeStepsFromRest();
     }
-    const auto isWithout = [&] { return !search.lowest.exists() && !search.fall.exists(); };
+    const auto isWithout = [&] { return !search.lowest.exists() && !isSettled(); };
     if (isWithout() && !isLarge)
     {
         search.followsPaths = false;
@@ -203,13 +206,19 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
     {
         searchPairs(search, settings.starts, result.status);
     }
+    // The same multiplier of the structure and of its program in other axes differ by rounding.
+    if (search.lowest.exists())
+    {
+        search.lowest.alpha = std::min(search.lowest.alpha, search.range.associative);
+        search.range.lowest = search.lowest.alpha;
+    }
     const CoulombPair& found = search.lowest.exists() ? search.lowest
                                : search.fall.exists() ? search.fall
                                                       : search.below;
     result.coulomb = search.range;
     if (found.exists())
     {
-        takePair(result, found);
+        takePair(result, search.frame.inGiven(found));
     }
     else
     {

@@ -74,20 +74,20 @@ void declare(Options& options, NonAssociativeSettings& settings);
 /// The result is the lowest pair that meets `tolerance` in CoulombCheck.h (`optimal`, its residuals as the
 /// certificate: balance and yield, flow, mismatch). Its multiplier is that of a collapse, and so an upper
 /// bound on the least of all collapses, which nothing here proves (in space paths whose starts differ by
-/// rounding end in collapses as far apart as 2.5 and 5.8, and further ones are followed until four in a row
-/// find none lower); that of the associative law is one that is proved. In space paths often end just before
-/// their collapse, as rounding ends them, and blocks that slide as one have shears whose directions are known
-/// to 1e-5 only: what is nearly a pair is refined (PairRefinement.h). Where no path has met a collapse or a
-/// fall itself, a mechanism is tried that the forces of the associative collapse allow by Coulomb's law, and
-/// where motion from rest begins (StepFromRest.h). Where only falls have been met the lowest of them is the
-/// result. Where all pairs are below zero, which says that some forces at rest are not safe, it is the
-/// highest of them. Without any pair the result is `upperBound`: forces, mechanism and certificate of the
-/// associative collapse, which no pair exceeds; where there is no such collapse, `unbounded`: forces that
-/// either law allows carry any multiple of the live load, and nothing was found to collapse all the same (by
-/// a mixed-integer program over the states of all points none of 47 such small structures has a pair). A
-/// search whose time is over ends at the next piece of a path, step or exchange, with what it has met until
-/// then, and with nothing where that is all that is known. What the friction cones cannot carry is `unstable`
-/// with either law.
+/// rounding end in collapses as far apart as 2.5 and 5.8: others are followed until four in a row find none
+/// lower, in a frame of the structure's own, ProperFrame.h); that of the associative law is one that is
+/// proved. In space paths often end just before their collapse, as rounding ends them, and blocks that slide
+/// as one have shears whose directions are known to 1e-5 only: what is nearly a pair is refined
+/// (PairRefinement.h). Where no path has met a collapse, in the plane nor a fall, a mechanism is tried that
+/// the forces of the associative collapse allow by Coulomb's law, and where motion from rest begins
+/// (StepFromRest.h). Where only falls have been met the lowest of them is the result. Where all pairs are
+/// below zero, which says that some forces at rest are not safe, it is the highest of them. Without any pair
+/// the result is `upperBound`: forces, mechanism and certificate of the associative collapse, which no pair
+/// exceeds; where there is no such collapse, `unbounded`: forces that either law allows carry any multiple of
+/// the live load, and nothing was found to collapse all the same (by a mixed-integer program over the states
+/// of all points none of 47 such small structures has a pair). A search whose time is over ends at the next
+/// piece of a path, step or exchange, with what it has met until then, in space or else that mechanism. What
+/// the friction cones cannot carry is `unstable` with either law.
 ///
 /// Where no pair is met the range says from where on there may be one. A pair of Coulomb's law has
 /// (c - c')'A'y >= 0 for all forces c' with |c'_t| <= C - mu T, -T <= c'_n <= N: where a point opens, c_n is
