@@ -22,8 +22,10 @@
 #include "texture/space/Walls.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -234,6 +236,34 @@ void refuseSecondSupport(const Assembly<Dim>& assembly, const std::string& name,
     }
 }
 
+/// Warns of blocks that an imported file marks as supports and that no support of the dictionary takes, as
+/// `ground { type import; }` does not where the file has a layer of that name: the structure falls with them.
+template<int Dim>
+void questionFreeSupports(const Assembly<Dim>& assembly, const SourceLocation& place)
+{
+    std::vector<int> areFree;
+    for (const Zone& zone : assembly.zones)
+    {
+        if (zone.name == "is_support")
+        {
+            std::copy_if(zone.blocks.begin(), zone.blocks.end(), std::back_inserter(areFree),
+                         [&](int block)
+                         { return assembly.blocks[static_cast<std::size_t>(block)].support < 0; });
+        }
+    }
+    if (!areFree.empty())
+    {
+        constexpr std::size_t most = 8;
+        const std::size_t shown = std::min(most, areFree.size());
+        printWarning(
+            fmt::format("The imported file marks blocks as supports (is_support) that are free here: "
+                        "{}{}. A support `{{ type import; layers (is_support); }}` fixes them.",
+                        fmt::join(areFree.begin(), areFree.begin() + static_cast<std::ptrdiff_t>(shown), " "),
+                        areFree.size() > most ? fmt::format(" and {} more", areFree.size() - most) : ""),
+            place);
+    }
+}
+
 /// Textures of space are no typing errors in the plane.
 void refuseTextureOfSpace(const Dictionary& dictionary)
 {
@@ -290,6 +320,8 @@ Assembly<Dim> makeStructure(const Dictionary& dictionary, const std::filesystem:
         refuseSecondSupport(blockTexture.texture.assembly, name,
                             dictionary.subDict("supports").locationOf(name));
     }
+    questionFreeSupports(blockTexture.texture.assembly,
+                         dictionary.locationOf(blockTexture.supports.empty() ? "texture" : "supports"));
     for (const auto& [name, addZone] : blockTexture.zones) // ground may take blocks of the texture away
     {
         addZone(blockTexture.texture.assembly, name);

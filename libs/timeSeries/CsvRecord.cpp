@@ -159,21 +159,52 @@ std::size_t columnIndex(const RecordText& text, std::size_t line, const Column& 
 struct Table
 {
     const RecordText& text;
-    std::size_t first = 0; ///< line that is no comment
+    std::size_t first = 0; ///< line that is no comment, or the comment with the titles
+    std::size_t firstValues = 0;
     char separator = ' ';
     std::size_t width = 0;                ///< columns of the first row that are not empty
-    std::vector<std::string_view> titles; ///< none where that has a number
+    std::vector<std::string_view> titles; ///< none where that has a number and no comment before it has them
 
-    bool isTitled() const { return !titles.empty(); }
     std::string unitOf(std::size_t column) const
     {
         return column < titles.size() ? titleAndUnit(titles[column]).second : "";
     }
 };
 
+bool isAnyNumber(const std::vector<std::string_view>& row, char separator)
+{
+    return std::any_of(row.begin(), row.end(),
+                       [&](std::string_view cell)
+                       { return numberOf(withDecimalPoint(cell, separator)).has_value(); });
+}
+
+/// Whether a cell is known for a title: of times, or by a unit of accelerations.
+bool isTitle(std::string_view cell)
+{
+    return isOfTimes(cell) || accelerationUnit(titleAndUnit(cell).second) > 0;
+}
+
+/// Titles that stand in a comment, as numpy.savetxt and tables of Drystone write them, `# t [s]  a [g]`: one
+/// for each column, of which one is known for a title. Empty: it has none.
+std::vector<std::string_view> titlesInComment(std::string_view line, const Table& table)
+{
+    line = trimmedCell(line);
+    line.remove_prefix(std::min(line.find_first_not_of("#% \t"), line.size()));
+    for (const char separator : {table.separator, ',', ';', '\t', ' '})
+    {
+        const std::vector<std::string_view> titles = cells(line, separator);
+        if (titles.size() == table.width && !isAnyNumber(titles, separator)
+            && std::any_of(titles.begin(), titles.end(), isTitle))
+        {
+            return titles;
+        }
+    }
+    return {};
+}
+
 Table tableOf(const RecordText& text)
 {
-    Table table{text, 0, ' ', 0, {}};
+    Table table{text, 0, 0, ' ', 0, {}};
     while (table.first < text.lines.size() && skipped(text.lines[table.first]))
     {
         ++table.first;
@@ -190,11 +221,21 @@ Table tableOf(const RecordText& text)
     const std::vector<std::string_view> content = cells(row, table.separator);
     table.width = static_cast<std::size_t>(
         std::count_if(content.begin(), content.end(), [](std::string_view cell) { return !cell.empty(); }));
-    if (std::none_of(content.begin(), content.end(),
-                     [&](std::string_view cell)
-                     { return numberOf(withDecimalPoint(cell, table.separator)).has_value(); }))
+    table.firstValues = table.first;
+    if (!isAnyNumber(content, table.separator))
     {
         table.titles = content;
+        ++table.firstValues;
+    }
+    else
+    {
+        std::size_t comments = table.first; // lines of them, without the empty ones that follow
+        while (comments > 0 && trimmedCell(text.lines[comments - 1]).empty())
+        {
+            --comments;
+        }
+        table.titles = comments > 0 ? titlesInComment(text.lines[comments - 1], table) : table.titles;
+        table.first = table.titles.empty() ? table.first : comments - 1;
     }
     return table;
 }
@@ -357,8 +398,7 @@ Record readCsvRecord(const std::filesystem::path& file, const CsvLayout& layout)
                     fmt::format("The times are in '{}', which is not a unit of time.", unitOfTimes),
                     "Give them in s, ms, us, min or h.");
     }
-    for (std::size_t line = table.isTitled() ? table.first + 1 : table.first; line < text.lines.size();
-         ++line)
+    for (std::size_t line = table.firstValues; line < text.lines.size(); ++line)
     {
         if (!skipped(text.lines[line]))
         {

@@ -146,4 +146,25 @@ TEST(Photograph, PointsOfKnownDistanceAreInThePicture)
     }
 }
 
+// Borders within 100 pixels took up to four fifths of the stones without a word.
+TEST(Photograph, BordersThatTakeStonesAwayAreWarnedOf)
+{
+    const std::filesystem::path tutorial =
+        std::filesystem::path(DRYSTONE_SOURCE_DIR) / "tutorials/limitAnalysis/photographedRubble";
+    Photograph photograph;
+    photograph.file = "constant/triSurface/wall.png";
+    photograph.distance = 3.5;
+    photograph.points = {{30, 295}, {450, 295}};
+    const auto warningWith = [&](double tolerance)
+    {
+        photograph.tolerance = tolerance;
+        testing::internal::CaptureStderr();
+        makeAssembly(photograph, tutorial, {});
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_EQ(warningWith(0), "");
+    EXPECT_EQ(warningWith(1.5), "");
+    EXPECT_THAT(warningWith(100), testing::HasSubstr("smaller `tolerance`"));
+}
+
 } // namespace

@@ -55,6 +55,26 @@ TEST(BlockTextureDict, TheSixWallsOfTheTutorialHaveTheBlocksAndPointsOfThePaper)
     }
 }
 
+// With `ground { type import; }` the blocks of the layer ground alone were fixed, and an arch on two
+// abutments that its file marks was unstable.
+TEST(BlockTextureDict, SupportsOfAFileThatStayFreeAreWarnedOf)
+{
+    const auto warningOf = [](const std::string& supports)
+    {
+        const std::string text =
+            "dimensions 3; texture { type import; file \"structures/wall_assembly.json\"; } ";
+        testing::internal::CaptureStderr();
+        makeStructure<3>(Dictionary::readString(text + supports, "system/blockTextureDict"),
+                         std::filesystem::path(DRYSTONE_SOURCE_DIR)
+                             / "tutorials/limitAnalysis/space/importedAssemblies");
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_EQ(warningOf("supports { base { type import; } }"), "");
+    EXPECT_EQ(warningOf("supports { base { type import; layers (is_support); } }"), "");
+    EXPECT_THAT(warningOf("supports { pier { type blocks; blocks (20); } }"),
+                AllOf(HasSubstr("layers (is_support)"), HasSubstr("supports at line 1")));
+}
+
 TEST(BlockTextureDict, DimensionsThatAreMistypedAreNamedWhereTheTextureIsOneOfSpace)
 {
     const std::string boxes = "texture { type boxes; blocks (((0 0 0) (1 1 1))); }";

@@ -384,6 +384,28 @@ TEST(CsvReader, AUnitAfterABlankBelongsToItsTitle)
         csv("t [ms] north [g] east [gal]\n0 1 1\n500 2 200\n", {0, "east", 0, ""}).accelerations[1], 2);
 }
 
+// As numpy.savetxt and tables of Drystone have them: accelerations in g were read in m/s2.
+TEST(CsvReader, TitlesMayStandInAComment)
+{
+    for (const char* titles : {"# Time[s]  acc[g]", "# t [s], a [g]", "%t\ta (g)", "# t [s] a [g]\n",
+                               "#north of 1995\n# time;a [g]"})
+    {
+        const Record record = csv(std::string(titles) + "\n0 0\n0.5 2\n", {});
+        EXPECT_DOUBLE_EQ(record.accelerations[1], 2 * standardGravity) << titles;
+        EXPECT_FALSE(record.unitIsAssumed) << titles;
+    }
+    EXPECT_DOUBLE_EQ(csv("# time [ms],x [gal],y [g]\n0,1,1\n500,200,2\n", {0, "x", 0, ""}).times[1], 0.5);
+    EXPECT_TRUE(csv("# time,acc_gal\n0,1\n1,1\n", {}).unitIsQuestioned);
+    EXPECT_THAT(csvRefusal("# t [s] a [g]\n0 1\n", {0, 1, 0, "m/s2"}), HasSubstr("g"));
+    // Words are no titles.
+    for (const char* words : {"# Kobe (1995)", "# Station (ABC) north", "# two words", "# g", ""})
+    {
+        const Record record = csv(std::string(words) + "\n0 0\n0.5 2\n", {});
+        EXPECT_DOUBLE_EQ(record.accelerations[1], 2) << words;
+        EXPECT_DOUBLE_EQ(record.times[1], 0.5) << words;
+    }
+}
+
 TEST(CsvReader, ReadsEquallySpacedValuesWithoutTimes)
 {
     EXPECT_DOUBLE_EQ(csv("acceleration [gal]\n100\n300\n", {.timeStep = 0.01, .unit = ""}).accelerations[1],

@@ -2,6 +2,7 @@
 /// Blocks from the stones of a picture.
 #include "import/plane/Photograph.h"
 
+#include "core/Error.h"
 #include "core/Log.h"
 #include "core/NamedFile.h"
 #include "geometry/BroadPhase.h"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace drystone
 {
@@ -150,6 +152,44 @@ std::vector<Polygon> soundOutlines(const StoneRaster& stones, double& tolerance,
     return outlines;
 }
 
+/// Warns of stones whose areas, and so weights, straight borders change. \param tolerance of these [pixels]
+void questionAreas(const StoneRaster& stones, const std::vector<Polygon>& outlines, double tolerance,
+                   double scale)
+{
+    constexpr double mostChange =
+        0.2; // of a stone; small ones change by an eighth within the usual tolerance
+    std::vector<double> pixels(outlines.size(), 0);
+    for (const int label : stones.labels.pixels)
+    {
+        if (label != noStone)
+        {
+            ++pixels[static_cast<std::size_t>(label)];
+        }
+    }
+    double largest = mostChange;
+    std::size_t worst = 0;
+    int changed = 0;
+    for (std::size_t stone = 0; stone < outlines.size(); ++stone)
+    {
+        const double change = std::abs(areaProperties(outlines[stone]).area / pixels[stone] - 1);
+        changed += change > mostChange ? 1 : 0;
+        if (change > largest)
+        {
+            largest = change;
+            worst = stone;
+        }
+    }
+    if (changed > 0)
+    {
+        printWarning(
+            fmt::format("Borders within {:g} pixels change the areas of {} of {} stones by more than "
+                        "{:g}%, and their weights: block {} has {:.3g} m2 instead of {:.3g} m2. A "
+                        "smaller `tolerance` follows the stones.",
+                        tolerance, changed, outlines.size(), 100 * mostChange, worst,
+                        scale * scale * areaProperties(outlines[worst]).area, scale * scale * pixels[worst]));
+    }
+}
+
 } // namespace
 
 void declare(Options& options, Photograph& photograph)
@@ -219,6 +259,7 @@ Assembly<2> makeAssembly(const Photograph& photograph, const std::filesystem::pa
     info("Import: {}, {} x {} pixels of {:.4g} m: {} stones with {} corners, borders within {:g} pixels",
          file.name, picture.width, picture.height, scale, stones.count, corners, tolerance);
     reportHoles(stones.filled, scale);
+    questionAreas(stones, outlines, tolerance, scale);
     if (tolerance < photograph.tolerance)
     {
         info("Import: borders within the stated tolerance of {:g} pixels would cross each other",
