@@ -4,6 +4,7 @@
 
 #include "conic/BalancedForces.h"
 #include "conic/ProgramPart.h"
+#include "dynamics/FollowedFlow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +80,23 @@ Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactF
 }
 
 template<int Dim>
+bool creeps(const StepProgram<Dim>& program, const ConeSolution& start, const StepSettings& settings)
+{
+    if (settings.kind == StepKind::impact || !followsFlow(settings) || program.hasCompliance())
+    {
+        return false;
+    }
+    const Eigen::VectorXd closing = applyTransposed(program, start.displacement);
+    bool isSlow = true;
+    for (int point = 0; isSlow && point < program.points(); ++point)
+    {
+        isSlow = !(start.contactForce[Dim * point] > 0)
+                 || closing.segment<Dim>(Dim * point).norm() <= settings.contactOverlap * settings.blockSize;
+    }
+    return isSlow && !start.contactForce.isZero(0);
+}
+
+template<int Dim>
 bool comesToRest(ThetaStep& step, const StepProgram<Dim>& program, Rest rest, double tolerance)
 {
     if (rest.certificate.worst() > tolerance)
@@ -132,6 +150,7 @@ bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const SolverC
 template Rest restWith(const StepProgram<2>& program, const Eigen::VectorXd& contactForce);
 template Rest restWithin(const StepProgram<2>& program, const Eigen::VectorXd& contactForce,
                          const StepSettings& settings, ThetaStep& step);
+template bool creeps(const StepProgram<2>& program, const ConeSolution& start, const StepSettings& settings);
 template bool comesToRest(ThetaStep& step, const StepProgram<2>& program, Rest rest, double tolerance);
 template bool mayRest(const StepProgram<2>& program, const Eigen::VectorXd& outOfBalance);
 template bool standsStill(ThetaStep& step, const StepProgram<2>& program, const SolverChoice& solver,
@@ -141,6 +160,7 @@ template ConeSolution solveCounted(ThetaStep& step, const StepProgram<2>& progra
 template Rest restWith(const StepProgram<3>& program, const Eigen::VectorXd& contactForce);
 template Rest restWithin(const StepProgram<3>& program, const Eigen::VectorXd& contactForce,
                          const StepSettings& settings, ThetaStep& step);
+template bool creeps(const StepProgram<3>& program, const ConeSolution& start, const StepSettings& settings);
 template bool comesToRest(ThetaStep& step, const StepProgram<3>& program, Rest rest, double tolerance);
 template bool mayRest(const StepProgram<3>& program, const Eigen::VectorXd& outOfBalance);
 template bool standsStill(ThetaStep& step, const StepProgram<3>& program, const SolverChoice& solver,
