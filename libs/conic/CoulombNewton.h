@@ -10,6 +10,7 @@ namespace drystone
 
 struct SymbolicAnalysis;
 
+/// When Newton's method for Coulomb's law ends.
 struct CoulombNewtonSettings
 {
     double tolerance = 1e-12; ///< on the equations of motion relative to the largest load, and on gaps and
@@ -26,9 +27,8 @@ struct CoulombNewtonSettings
 ///     c_t along (A'y)_t - g_t, and at its limit where the point slides,
 ///
 /// which is the program itself with g_n larger by mu |(A'y)_t - g_t| (Acary & Cadoux 2013). The law is
-/// written with projections (Alart & Curnier 1991): with w = s + rho (A'y - g),
-///
-/// (with strengths -T <= c_n and |c_t| <= C + mu c_n)
+/// written with projections (Alart & Curnier 1991): with w = s + rho (A'y - g) and the strengths T and C,
+/// which are 0 of dry joints,
 ///
 ///     c_n = max(-T, w_n),    c_t = the nearest to w_t with |c_t| <= C + mu c_n,
 ///

@@ -9,6 +9,7 @@ namespace drystone
 
 struct SymbolicAnalysis;
 
+/// When Newton's method for points that give way ends.
 struct ElasticNewtonSettings
 {
     double tolerance = 1e-9;     ///< on every figure of the certificate
@@ -28,7 +29,7 @@ struct ElasticNewtonSettings
 /// the size of the blocks in each.
 ///
 /// \param start its displacement is where the method begins; may be empty
-/// \param kept from program to program (form/Form.h), or null; not owned
+/// \param kept analysis of the pattern, from program to program (form/Form.h), or null; not owned
 /// \return `optimal` when the certificate meets the tolerance, else `notConverged` with the last iterate
 /// \throws std::invalid_argument for a program without inertia, with a multiplier or strengths, or with a
 /// point that does not give way in all directions, in all of shear alike

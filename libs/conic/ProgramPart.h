@@ -7,6 +7,7 @@
 namespace drystone
 {
 
+/// A program of some bodies and points of another, in ascending order of their indices there.
 template<int Rows, int Forces>
 struct ProgramPart
 {

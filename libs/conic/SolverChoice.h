@@ -15,6 +15,7 @@
 namespace drystone
 {
 
+/// The solvers of cone programs that a dictionary can choose.
 enum class SolverType
 {
     automatic,           ///< the first of the others that suits; another one when it does not converge
@@ -118,6 +119,7 @@ bool solvesMotionOnly(SolverType solver);
 /// Name of a solver, as dictionaries have it.
 std::string nameOf(SolverType solver);
 
+/// What the interior point takes over of a choice.
 InteriorPointSettings interiorPointSettings(const SolverChoice& choice);
 
 } // namespace drystone

@@ -32,6 +32,7 @@ struct CheckedRange
     bool isEmpty() const { return least > largest; }
 };
 
+/// How compact the blocks of an assembly are, and how sharp their corners.
 struct SliverRanges
 {
     CheckedRange compactness;

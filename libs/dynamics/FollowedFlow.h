@@ -17,6 +17,12 @@ inline bool followsFlow(const StepSettings& settings)
     return settings.flowRule == FlowRule::nonAssociative && settings.overlaps != Overlaps::none;
 }
 
+/// By how much points that are followed may give way, so that they count as touching [m]; 0 where none are.
+inline double yieldingOf(const StepSettings& settings)
+{
+    return followsFlow(settings) ? settings.contactOverlap * settings.blockSize : 0;
+}
+
 /// Which forces it may begin with.
 enum class Following
 {

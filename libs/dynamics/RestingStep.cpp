@@ -4,6 +4,7 @@
 
 #include "conic/BalancedForces.h"
 #include "conic/ProgramPart.h"
+#include "dynamics/FollowedFlow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,7 @@ StepProgram<Dim> closedWithin(const StepProgram<Dim>& program, const StepSetting
     for (int point = 0; point < program.points(); ++point)
     {
         double& gap = closed.gap[Dim * point];
-        gap = std::abs(gap) <= settings.contactOverlap * settings.blockSize ? 0 : gap;
+        gap = std::abs(gap) <= yieldingOf(settings) ? 0 : gap;
     }
     return closed;
 }
@@ -86,6 +87,23 @@ Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactF
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(contactForce.size());
     putInto<Dim>(pressing, holding, forces);
     return restWith(closed, forces);
+}
+
+template<int Dim>
+bool creeps(const StepProgram<Dim>& program, const ConeSolution& start, const StepSettings& settings)
+{
+    if (settings.kind == StepKind::impact || !followsFlow(settings) || program.hasCompliance())
+    {
+        return false;
+    }
+    const Eigen::VectorXd closing = applyTransposed(program, start.displacement);
+    bool isSlow = true;
+    for (int point = 0; isSlow && point < program.points(); ++point)
+    {
+        isSlow = !(start.contactForce[Dim * point] > 0)
+                 || closing.segment<Dim>(Dim * point).norm() <= yieldingOf(settings);
+    }
+    return isSlow && !start.contactForce.isZero(0);
 }
 
 template<int Dim>
@@ -144,6 +162,7 @@ template StepProgram<2> closedWithin(const StepProgram<2>& program, const StepSe
 template Rest restWith(const StepProgram<2>& program, const Eigen::VectorXd& contactForce);
 template Rest restWithin(const StepProgram<2>& program, const Eigen::VectorXd& contactForce,
                          const StepSettings& settings, ThetaStep& step);
+template bool creeps(const StepProgram<2>& program, const ConeSolution& start, const StepSettings& settings);
 template bool comesToRest(ThetaStep& step, const StepProgram<2>& program, Rest rest, double tolerance);
 template bool mayRest(const StepProgram<2>& program, const Eigen::VectorXd& outOfBalance);
 template bool standsStill(ThetaStep& step, const StepProgram<2>& program, const SolverChoice& solver,
@@ -154,6 +173,7 @@ template StepProgram<3> closedWithin(const StepProgram<3>& program, const StepSe
 template Rest restWith(const StepProgram<3>& program, const Eigen::VectorXd& contactForce);
 template Rest restWithin(const StepProgram<3>& program, const Eigen::VectorXd& contactForce,
                          const StepSettings& settings, ThetaStep& step);
+template bool creeps(const StepProgram<3>& program, const ConeSolution& start, const StepSettings& settings);
 template bool comesToRest(ThetaStep& step, const StepProgram<3>& program, Rest rest, double tolerance);
 template bool mayRest(const StepProgram<3>& program, const Eigen::VectorXd& outOfBalance);
 template bool standsStill(ThetaStep& step, const StepProgram<3>& program, const SolverChoice& solver,

@@ -28,6 +28,12 @@ template<int Dim>
 Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
                 const StepSettings& settings, ThetaStep& step);
 
+/// Whether the points that press move by no more than they give way: followed from step to step they slip so
+/// little in each to carry their shear, where rigid points may hold the blocks where they are. Never in an
+/// impact, nor with compliance. \param start motion by the guess, and its forces
+template<int Dim>
+bool creeps(const StepProgram<Dim>& program, const ConeSolution& start, const StepSettings& settings);
+
 /// Whether rest solves the program to the tolerance; then it is the step.
 template<int Dim>
 bool comesToRest(ThetaStep& step, const StepProgram<Dim>& program, Rest rest, double tolerance);

@@ -3,6 +3,7 @@
 #include "dynamics/ThetaStep.h"
 
 #include "dynamics/AcceleratedIteration.h"
+#include "dynamics/AllowedFlowError.h"
 #include "dynamics/CoulombFlow.h"
 #include "dynamics/FollowedFlow.h"
 #include "dynamics/OneProgram.h"
@@ -25,32 +26,15 @@ constexpr int maximumPrograms = 60;
 constexpr int programsToRestart = 30;
 
 /// Newton's method reaches Coulomb's law exactly, most often from the first program or the second, and is
-/// tried after both, in an impact after the first. From the fourth program on the law may have the error
-/// below: one point of hundreds that would neither slide nor stick makes steps without an end.
-constexpr int programsToExactFlow = 4;
+/// tried after both, in an impact after the first.
 constexpr int newtonSteps = 60; // nearly all tries that end take less than 50
 
 /// Impacts of a wall hit 150 points at once, where Newton's method seldom ends.
 constexpr int newtonStepsOfImpact = 20;
 
-/// The error of mu |u_t| may be this share of what the step changes the motion by, and after so many programs
-/// the larger one: just above a threshold the fixed point is not reached closer.
-constexpr double shareOfStep = 1e-2;
-constexpr double largerShareOfStep = 0.15;
-constexpr int programsToLargerShare = 15;
-constexpr double nearlySolved = 1000; // times the tolerance
-
-/// Nor does an error matter that is this part of how far the loads would take the blocks without contacts: as
-/// much of g. Where little moves at first (some 1e-6 of it), a hundredth of that is less than a program
-/// tells.
-constexpr double negligibleShare = 1e-5;
-
-/// Of an impact it is so much of the velocities that blocks have, but no more than this part of their change.
-constexpr double shareOfChange = 0.3;
-
-/// An impact that changes velocities by little more than this part of the largest is not made of programs
-/// without end.
-constexpr double negligibleVelocity = 1e-5;
+/// Only the last program of Coulomb's law has to be solved to the tolerance, those before it to so many times
+/// it.
+constexpr double nearlySolved = 1000;
 
 /// Gaps of bonds are met to this part of the error allowed in gaps, or as well as so many programs do it.
 constexpr double unstrained = 1e-6;
@@ -99,8 +83,6 @@ public:
 private:
     void flyFreely();
     bool rests();
-    bool creeps() const;
-    double negligibleWay() const;
     void chooseFollowing();
     void chooseStart();
     void expectSliding();
@@ -174,37 +156,11 @@ bool StepSearch<Dim>::rests()
                              : Eigen::VectorXd::Zero(Dim * program.points());
     Rest rest = restWith(program, start.contactForce);
     step.initialResidual = rest.certificate.worst();
-    if (rest.certificate.worst() > settings.solver.tolerance && creeps())
+    if (rest.certificate.worst() > settings.solver.tolerance && isGuessed && creeps(program, start, settings))
     {
         rest = restWithin(program, start.contactForce, settings, step);
     }
     return comesToRest(step, program, std::move(rest), settings.solver.tolerance);
-}
-
-/// What points may give way by [m].
-template<int Dim>
-double StepSearch<Dim>::negligibleWay() const
-{
-    return followsFlow(settings) ? settings.contactOverlap * settings.blockSize : 0;
-}
-
-/// Whether the points that press move by no more than they give way: followed from step to step they slip so
-/// little in each to carry their shear, where rigid points may hold the blocks where they are.
-template<int Dim>
-bool StepSearch<Dim>::creeps() const
-{
-    if (isImpact || !isGuessed || !followsFlow(settings) || program.hasCompliance())
-    {
-        return false;
-    }
-    const Eigen::VectorXd closing = applyTransposed(program, start.displacement);
-    bool isSlow = true;
-    for (int point = 0; isSlow && point < program.points(); ++point)
-    {
-        isSlow = !(start.contactForce[Dim * point] > 0)
-                 || closing.segment<Dim>(Dim * point).norm() <= negligibleWay();
-    }
-    return isSlow && !start.contactForce.isZero(0);
 }
 
 /// In the plane paths from afar lead by the same forces of soft points: one is tried. In space such a path is
@@ -270,7 +226,7 @@ template<int Dim>
 bool StepSearch<Dim>::beginsAtRest() const
 {
     return !isImpact && !program.hasCompliance() && isGuessed && !start.contactForce.isZero(0)
-           && farthestMotion<Dim>(guess.displacement, settings.blockSize) <= negligibleWay();
+           && farthestMotion<Dim>(guess.displacement, settings.blockSize) <= yieldingOf(settings);
 }
 
 /// Whether there are forces that hold the blocks where they are, by a program of the associative law, which
@@ -281,8 +237,7 @@ template<int Dim>
 bool StepSearch<Dim>::staysAtRest()
 {
     ThetaStep trial = step;
-    const StepProgram<Dim> touching = followsFlow(settings) ? closedWithin(program, settings) : program;
-    solveOnce(trial, touching, withinWork(settings, step, program), start, symbolic);
+    solveOnce(trial, closedWithin(program, settings), withinWork(settings, step, program), start, symbolic);
     step.iterations = trial.iterations;
     step.factorisations = trial.factorisations;
     const bool isAtRest = trial.status == SolveStatus::optimal && trial.displacement.isZero(0);
@@ -376,34 +331,18 @@ double StepSearch<Dim>::wayOfLoads() const
 template<int Dim>
 bool StepSearch<Dim>::meetsFlow()
 {
-    const double tolerance = settings.solver.tolerance;
     const Eigen::VectorXd opening = dilatancy(program, step.closing, step.contactForce);
-    const double least = tolerance * step.contactForce.template lpNorm<Eigen::Infinity>();
-    const double change = errorOfFlow<Dim>(imposed, opening, gap, step, least);
-    const double exact =
-        std::max(1e-12 * settings.blockSize, 10 * tolerance * opening.template lpNorm<Eigen::Infinity>());
-    // Otherwise a small part of what the step itself does: with steps so short that gravity moves a
-    // block by less than some length, any force at all would do. Nor less than what a program
-    // certified to its tolerance determines.
-    const double farthest = farthestMotion<Dim>(step.displacement, settings.blockSize);
-    const double moved = farthestMotion<Dim>(step.displacement - expected, settings.blockSize);
-    const double share = step.programs < programsToLargerShare ? shareOfStep : largerShareOfStep;
-    const double small = isImpact ? std::min(shareOfChange * moved, share * farthest) : share * moved;
-    const double certified = tolerance * std::max(farthest, gap.template lpNorm<Eigen::Infinity>());
-    const double negligible = !isImpact ? std::min(negligibleWay(), negligibleShare * wayOfLoads())
-                              : step.programs > programsToLargerShare ? negligibleVelocity * farthest
-                                                                      : 0;
-    const bool isExact =
-        !isImpact
-        && (step.programs < programsToExactFlow || (!isBalanced && step.programs < programsToLargerShare));
-    step.flowError = change;
+    const double least = settings.solver.tolerance * step.contactForce.template lpNorm<Eigen::Infinity>();
+    step.flowError = errorOfFlow<Dim>(imposed, opening, gap, step, least);
+    const bool isMet = step.flowError <= allowedFlowError<Dim>(
+                           {step, opening, gap, expected, wayOfLoads(), isBalanced}, settings);
     imposed = fixedPoint.next(imposed, opening);
     if (step.programs == programsToRestart)
     {
         fixedPoint = {};
         imposed.setZero();
     }
-    return change <= (isExact ? exact : std::max({exact, certified, small, negligible}));
+    return isMet;
 }
 
 /// Whether the gaps at the end of the motion are those of the linearised program; the next is linearised

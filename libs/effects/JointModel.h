@@ -27,6 +27,7 @@ inline std::array<std::pair<std::string_view, ContactFormulation>, 2> namesOf(Co
     return {{{"points", ContactFormulation::points}, {"surface", ContactFormulation::surface}}};
 }
 
+/// The formulation that a case chooses.
 struct ContactModel
 {
     ContactFormulation formulation = ContactFormulation::points;

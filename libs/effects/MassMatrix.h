@@ -36,13 +36,14 @@ struct MassMatrix<3>
     std::vector<Eigen::Matrix3d> tensors; ///< J likewise, in the axes of space
 };
 
-/// M v; of one block its own part.
+/// M v; of one block its own part. \param v rows of each free block; of one its own: with accelerations
+/// [m/s2, rad/s2] these are forces [N, N m] \param body index among the free blocks
 Eigen::VectorXd times(const MassMatrix<2>& mass, const Eigen::VectorXd& v);
 Eigen::VectorXd times(const MassMatrix<3>& mass, const Eigen::VectorXd& v);
 BlockVector<2> times(const MassMatrix<2>& mass, int body, const BlockVector<2>& v);
 BlockVector<3> times(const MassMatrix<3>& mass, int body, const BlockVector<3>& v);
 
-/// v'M v; of one block its own part.
+/// v'M v, likewise: with velocities twice the kinetic energy [J].
 double squareOf(const MassMatrix<2>& mass, const Eigen::VectorXd& v);
 double squareOf(const MassMatrix<3>& mass, const Eigen::VectorXd& v);
 double squareOf(const MassMatrix<2>& mass, int body, const BlockVector<2>& v);

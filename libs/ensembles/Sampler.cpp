@@ -2,19 +2,17 @@
 /// Probabilities from random bits, strata or Sobol' points, correlated through a Cholesky factor.
 #include "ensembles/Sampler.h"
 
-#include "core/ByteOrderMark.h"
 #include "dictionary/NamesIn.h"
 #include "ensembles/NatafCorrelation.h"
 #include "ensembles/Philox.h"
+#include "ensembles/SampleTable.h"
 #include "ensembles/SobolSequence.h"
-#include "quantities/TableLine.h"
 
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numeric>
 #include <set>
 
@@ -61,7 +59,7 @@ Sampler::Sampler(const std::vector<Named<EnsembleVariable>>& allVariables,
 {
     if (design.type == DesignType::table)
     {
-        readTable(caseDirectory);
+        rows = readSampleTable(design, variables, caseDirectory);
     }
     else
     {
@@ -239,71 +237,6 @@ void Sampler::chooseFactor(const std::vector<Correlation>& correlations, const S
                            place);
     }
     factor = cholesky.matrixL();
-}
-
-/// In which column of a table each variable is.
-std::vector<std::size_t> Sampler::columnsOfVariables(const std::vector<std::string>& columns) const
-{
-    std::vector<std::size_t> places;
-    for (const auto& [name, variable] : variables)
-    {
-        const std::optional<std::size_t> place = findColumn(columns, name);
-        if (!place)
-        {
-            throw FatalIOError(fmt::format("{} has no column {}.\n\nIts columns: {}", design.file, name,
-                                           fmt::join(columns, " ")),
-                               design.location);
-        }
-        places.push_back(*place);
-    }
-    return places;
-}
-
-void Sampler::readTable(const std::filesystem::path& caseDirectory)
-{
-    const std::filesystem::path file = caseDirectory / design.file;
-    std::ifstream stream(file);
-    if (!stream)
-    {
-        throw FatalIOError(fmt::format("There is no table {} in this case.", design.file), design.location);
-    }
-    skipByteOrderMark(stream);
-    std::vector<std::string> columns;
-    std::vector<std::size_t> places; // known from the first row on
-    for (TableLine line; nextLine(stream, line);)
-    {
-        const std::vector<std::string>& cells = line.words;
-        if (line.isHeading)
-        {
-            columns = places.empty() ? cells : columns; // comments between rows are no headings
-            continue;
-        }
-        if (cells.empty())
-        {
-            continue;
-        }
-        if (places.empty())
-        {
-            places = columnsOfVariables(columns);
-        }
-        if (cells.size() != columns.size())
-        {
-            throw FatalIOError(
-                fmt::format("A row has {} values, and there are {} columns.", cells.size(), columns.size()),
-                {file.string(), "", line.number});
-        }
-        std::vector<SampleValue> row;
-        for (const std::size_t place : places)
-        {
-            const std::optional<double> number = numberIn(cells[place]);
-            row.push_back(number ? SampleValue{cells[place], *number} : valueOf(cells[place]));
-        }
-        rows.push_back(std::move(row));
-    }
-    if (rows.empty())
-    {
-        throw FatalIOError(fmt::format("The table {} has no rows.", design.file), design.location);
-    }
 }
 
 /// The probabilities of a point, one a variable, before they are correlated. \param index of the point, not

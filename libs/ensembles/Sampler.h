@@ -40,8 +40,6 @@ private:
         b
     };
 
-    void readTable(const std::filesystem::path& caseDirectory);
-    std::vector<std::size_t> columnsOfVariables(const std::vector<std::string>& columns) const;
     void requireDistributions(const Dictionary& dictionary) const;
     void countSamples();
     void stratify();

@@ -17,10 +17,6 @@ template<int Dim>
 void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
                             const std::filesystem::path& caseDirectory);
 
-/// What is questioned of a lowest collapse by Coulomb's law that is far below the associative multiplier;
-/// empty where it is not.
-std::string questionOfLowest(const CoulombRange& range);
-
 /// Multiplier, status and certificate. No multiplier is printed for what did not converge.
 template<int Dim>
 void printLimitAnalysis(const LimitAnalysisCase<Dim>& structure, const std::vector<LimitAnalysis>& results);

@@ -15,6 +15,7 @@
 #include "functionObjects/KeptResults.h"
 #include "functionObjects/LimitAnalysisTables.h"
 #include "functionObjects/LoadEnvelope.h"
+#include "functionObjects/LoadEnvelopeFiles.h"
 #include "functionObjects/LoadMeaning.h"
 #include "io/Frames.h"
 #include "io/Mechanism.h"

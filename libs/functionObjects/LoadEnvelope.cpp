@@ -1,12 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The envelope of a moving load, printed and written: it combines statics with output.
+/// The envelope of a moving load, and what the log says of it.
 #include "functionObjects/LoadEnvelope.h"
 
 #include "assembly/BlockShape.h"
 #include "core/Log.h"
-#include "core/WholeFile.h"
-#include "functionObjects/EarlierResults.h"
-#include "io/Plot.h"
 #include "quantities/LimitAnalysisFigures.h"
 
 #include <fmt/format.h>
@@ -19,11 +16,6 @@ namespace drystone
 {
 namespace
 {
-
-double alphaOf(const PositionResult& result)
-{
-    return tabledAlpha(result.status, result.alpha);
-}
 
 /// Moment r x f of the line of action through r -> the r nearest to the mass centre.
 Vector<2> armOf(const Vector<2>& force, const Eigen::Matrix<double, 1, 1>& moment)
@@ -88,7 +80,8 @@ std::vector<EnvelopePoint> envelopeOf(const LimitAnalysisCase<Dim>& structure)
     std::vector<EnvelopePoint> points;
     for (std::size_t i = 0; i < structure.envelope.size(); ++i)
     {
-        const EnvelopePoint point{structure.loads.positions[i].distance, i, alphaOf(structure.envelope[i])};
+        const EnvelopePoint point{structure.loads.positions[i].distance, i,
+                                  tabledAlpha(structure.envelope[i].status, structure.envelope[i].alpha)};
         if (points.empty() || points.back().distance != point.distance)
         {
             points.push_back(point);
@@ -300,116 +293,6 @@ void printEnvelope(const LimitAnalysisCase<Dim>& structure)
     }
 }
 
-namespace
-{
-
-/// A line a place.
-template<int Dim>
-std::string tableOf(const LimitAnalysisCase<Dim>& structure)
-{
-    std::string text =
-        fmt::format("# distance[m] x[m] y[m] {}block[-] alpha[-] status[-]\n", Dim == 3 ? "z[m] " : "");
-    for (std::size_t i = 0; i < structure.envelope.size(); ++i)
-    {
-        const LoadPosition<Dim>& position = structure.loads.positions[i];
-        text += fmt::format("{:.9g} {:.9g} {} {:.12g} {}\n", position.distance,
-                            fmt::join(position.place.data(), position.place.data() + Dim, " "),
-                            position.blocks.front(), alphaOf(structure.envelope[i]),
-                            static_cast<int>(structure.envelope[i].status));
-    }
-    return text;
-}
-
-/// The curve in parts: a line ends where the multiplier is unbounded.
-std::vector<PlotCurve> curvesOf(const std::vector<EnvelopePoint>& points)
-{
-    std::vector<PlotCurve> curves;
-    PlotCurve curve;
-    curve.name = "alpha";
-    curve.colour = curveColour(0);
-    curve.marker = CurveMarker::none;
-    const auto finish = [&]
-    {
-        if (!curve.x.empty())
-        {
-            curves.push_back(curve);
-            curve.name.clear();
-        }
-        curve.x.clear();
-        curve.y.clear();
-    };
-    for (const EnvelopePoint& point : points)
-    {
-        if (!std::isfinite(point.alpha))
-        {
-            finish();
-            continue;
-        }
-        curve.x.push_back(point.distance);
-        curve.y.push_back(point.alpha);
-    }
-    finish();
-    return curves;
-}
-
-PlotCurve markOf(const EnvelopePoint& worst)
-{
-    PlotCurve mark;
-    mark.name = "worst place";
-    mark.x = {worst.distance};
-    mark.y = {worst.alpha};
-    mark.line = CurveLine::none;
-    mark.marker = CurveMarker::circle;
-    mark.colour = curveColour(1);
-    return mark;
-}
-
-template<int Dim>
-Plot plotOf(const LimitAnalysisCase<Dim>& structure, const EnvelopePoint& worst, const std::string& caseName)
-{
-    const std::vector<EnvelopePoint> points = envelopeOf(structure);
-    Plot plot;
-    plot.title = fmt::format("Moving load on {}", caseName);
-    plot.subtitle = fmt::format("worst place {:.4g} m along the path, from {}: alpha = {:.6g}",
-                                worst.distance, placeText(structure, worst), worst.alpha);
-    plot.x.label = "distance of the load along its path [m]";
-    plot.y.label = "collapse multiplier alpha [-]";
-    plot.y.lower = 0;
-    // Near the supports it grows beyond all bounds, which would flatten the rest.
-    constexpr double shown = 6;
-    const bool isCut =
-        std::any_of(points.begin(), points.end(),
-                    [&](const EnvelopePoint& point) { return point.alpha > shown * worst.alpha; });
-    if (isCut && worst.alpha > 0)
-    {
-        plot.y.upper = shown * worst.alpha;
-    }
-    plot.curves = curvesOf(points);
-    plot.curves.push_back(markOf(worst));
-    return plot;
-}
-
-} // namespace
-
-template<int Dim>
-void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<Dim>& structure,
-                   const std::string& caseName, const PictureFormats& formats)
-{
-    const std::filesystem::path table = folder / "movingLoad.dat";
-    const std::filesystem::path picture = folder / "movingLoad";
-    removePicture(picture);
-    if (structure.envelope.empty())
-    {
-        writeOrRemove(table, "");
-        return;
-    }
-    writeWholeFile(table, tableOf(structure));
-    if (const std::optional<EnvelopePoint> worst = worstPlace(structure))
-    {
-        writePlot(picture, plotOf(structure, *worst, caseName), formats);
-    }
-}
-
 template std::vector<EnvelopePoint> envelopeOf(const LimitAnalysisCase<2>& structure);
 template std::vector<EnvelopePoint> envelopeOf(const LimitAnalysisCase<3>& structure);
 template std::optional<EnvelopePoint> worstPlace(const LimitAnalysisCase<2>& structure);
@@ -426,9 +309,4 @@ template std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<3>& structure
                                            const LimitAnalysis& result);
 template void printEnvelope(const LimitAnalysisCase<2>& structure);
 template void printEnvelope(const LimitAnalysisCase<3>& structure);
-template void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<2>& structure,
-                            const std::string& caseName, const PictureFormats& formats);
-template void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<3>& structure,
-                            const std::string& caseName, const PictureFormats& formats);
-
 } // namespace drystone

@@ -1,12 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Multipliers of a moving load over its places, for logs, tables and pictures.
+/// Multipliers of a moving load over its places, and what the log says of them.
 #pragma once
 
 #include "io/MechanismPicture.h"
-#include "runControl/PictureFormats.h"
 #include "statics/LimitAnalysisCase.h"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,13 +51,5 @@ std::vector<LoadPlace> loadPlaces(const LimitAnalysisCase<Dim>& structure, const
 /// without a moving load.
 template<int Dim>
 void printEnvelope(const LimitAnalysisCase<Dim>& structure);
-
-/// Writes postProcessing/limitAnalysis/0/movingLoad.dat, a row a position and block: `distance[m] x[m] y[m]
-/// block[-] alpha[-] status[-]` (in space z[m] too; `block` the first that carries an axle), and
-/// movingLoad.svg (or .png, .pdf), the lower multiplier over the distance with the worst place. Without a
-/// moving load removes those of an earlier run.
-template<int Dim>
-void writeEnvelope(const std::filesystem::path& folder, const LimitAnalysisCase<Dim>& structure,
-                   const std::string& caseName, const PictureFormats& formats = {PictureFormat::svg});
 
 } // namespace drystone

@@ -3,6 +3,7 @@
 #include "import/DxfFile.h"
 
 #include "core/LowerCase.h"
+#include "import/DxfGroups.h"
 
 #include <fmt/format.h>
 
@@ -14,63 +15,6 @@ namespace drystone
 
 namespace
 {
-
-/// Two lines of the file: what a value means, and the value.
-struct Group
-{
-    int code = 0;
-    std::string_view value;
-    int line = 0;
-};
-
-class GroupReader
-{
-public:
-    explicit GroupReader(const ImportedFile& source) : file(source), lines(source.bytes) { advance(); }
-
-    const Group& current() const { return group; }
-    bool isEnd() const { return isAtEnd; }
-    /// To the next group that is no comment.
-    void advance()
-    {
-        constexpr int comment = 999;
-        do
-        {
-            readGroup();
-        } while (group.code == comment);
-    }
-    bool starts(std::string_view name) const { return group.code == 0 && group.value == name; }
-    double number() const { return numberOf(file, group.line + 1, group.value); }
-    int integer() const { return integerOf(file, group.line + 1, group.value); }
-
-private:
-    void readGroup()
-    {
-        std::string_view line;
-        if (!lines.next(line))
-        {
-            if (!isAtEnd && group.value != "EOF")
-            {
-                refuse(file, lines.number(), "The file ends without `EOF`: get a complete copy of it.");
-            }
-            isAtEnd = true;
-            group = {0, "EOF", lines.number()};
-            return;
-        }
-        group.line = lines.number();
-        group.code = integerOf(file, group.line, trimmed(line));
-        if (!lines.next(line))
-        {
-            refuse(file, group.line, "The file ends after a group code: get a complete copy of it.");
-        }
-        group.value = trimmed(line);
-    }
-
-    const ImportedFile& file;
-    LineReader lines;
-    Group group;
-    bool isAtEnd = false;
-};
 
 class DxfReader
 {
@@ -168,7 +112,7 @@ private:
             bool isFrozen = false;
             for (; groups.current().code != 0; groups.advance())
             {
-                const Group& group = groups.current();
+                const DxfGroup& group = groups.current();
                 if (group.code == 2)
                 {
                     name = group.value;
@@ -201,7 +145,7 @@ private:
             std::string name;
             for (groups.advance(); groups.current().code != 0; groups.advance())
             {
-                const Group& group = groups.current();
+                const DxfGroup& group = groups.current();
                 if (group.code == 2)
                 {
                     name = group.value;
@@ -262,7 +206,7 @@ private:
     /// What all entities have. \return whether the group is of it
     bool readCommon(DxfEntity& entity)
     {
-        const Group& group = groups.current();
+        const DxfGroup& group = groups.current();
         switch (group.code)
         {
         case 8:
@@ -289,7 +233,7 @@ private:
     /// Corner by corner: x begins one.
     void readCorner(DxfPolyline& polyline, int& ofCorner)
     {
-        const Group& group = groups.current();
+        const DxfGroup& group = groups.current();
         if (group.code == 10)
         {
             polyline.corners.emplace_back(groups.number(), 0);
@@ -395,7 +339,7 @@ private:
         insert.line = groups.current().line;
         for (groups.advance(); groups.current().code != 0; groups.advance())
         {
-            const Group& group = groups.current();
+            const DxfGroup& group = groups.current();
             if (readCommon(insert))
             {
                 continue;
@@ -434,7 +378,7 @@ private:
     }
 
     const ImportedFile& file;
-    GroupReader groups;
+    DxfGroups groups;
     DxfFile result;
 };
 

@@ -1,84 +1,19 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Stanford PLY. Own reader: that of VTK crashes on damaged files.
+/// The data of Stanford PLY. Own reader: that of VTK crashes on damaged files.
 #include "import/ByteReader.h"
+#include "import/PlyHeader.h"
 #include "import/Solids.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace drystone
 {
 
 namespace
 {
-
-enum class Type
-{
-    int8,
-    uint8,
-    int16,
-    uint16,
-    int32,
-    uint32,
-    float32,
-    float64
-};
-
-std::optional<Type> typeOf(std::string_view word)
-{
-    using Name = std::pair<std::string_view, Type>;
-    static constexpr std::array<Name, 16> names{{{"char", Type::int8},
-                                                 {"int8", Type::int8},
-                                                 {"uchar", Type::uint8},
-                                                 {"uint8", Type::uint8},
-                                                 {"short", Type::int16},
-                                                 {"int16", Type::int16},
-                                                 {"ushort", Type::uint16},
-                                                 {"uint16", Type::uint16},
-                                                 {"int", Type::int32},
-                                                 {"int32", Type::int32},
-                                                 {"uint", Type::uint32},
-                                                 {"uint32", Type::uint32},
-                                                 {"float", Type::float32},
-                                                 {"float32", Type::float32},
-                                                 {"double", Type::float64},
-                                                 {"float64", Type::float64}}};
-    const auto found =
-        std::find_if(names.begin(), names.end(), [&](const Name& name) { return name.first == word; });
-    return found == names.end() ? std::nullopt : std::optional(found->second);
-}
-
-struct Property
-{
-    std::string name;
-    Type type = Type::float32;
-    std::optional<Type> count = {}; ///< of a list
-};
-
-struct Element
-{
-    std::string name;
-    std::size_t count = 0;
-    std::vector<Property> properties;
-};
-
-enum class Format
-{
-    ascii,
-    little,
-    big
-};
-
-struct Header
-{
-    Format format = Format::ascii;
-    std::vector<Element> elements;
-    std::size_t end = 0; ///< byte where the data begins
-    int lines = 0;
-};
 
 /// What a value says: that of a normal or a colour nothing of how coordinates are rounded.
 enum class Meaning
@@ -91,15 +26,15 @@ enum class Meaning
 class Words
 {
 public:
-    Words(const ImportedFile& source, const Header& header)
+    Words(const ImportedFile& source, const PlyHeader& header)
         : file(source), lines(std::string_view(source.bytes).substr(header.end)), before(header.lines)
     {
     }
-    double take(Type type, Meaning meaning)
+    double take(PlyType type, Meaning meaning)
     {
         const std::string_view word = next();
         const double value = numberOf(file, line(), word);
-        if (meaning == Meaning::coordinate && (type == Type::float32 || type == Type::float64))
+        if (meaning == Meaning::coordinate && (type == PlyType::float32 || type == PlyType::float64))
         {
             digits.add(word);
         }
@@ -150,28 +85,28 @@ private:
 class Bytes
 {
 public:
-    Bytes(const ImportedFile& source, const Header& header)
+    Bytes(const ImportedFile& source, const PlyHeader& header)
         : file(source),
-          bytes(source, header.end, header.format == Format::big ? std::endian::big : std::endian::little)
+          bytes(source, header.end, header.format == PlyFormat::big ? std::endian::big : std::endian::little)
     {
     }
-    double take(Type type, Meaning meaning)
+    double take(PlyType type, Meaning meaning)
     {
         switch (type)
         {
-        case Type::int8:
+        case PlyType::int8:
             return bytes.take<std::int8_t>();
-        case Type::uint8:
+        case PlyType::uint8:
             return bytes.take<std::uint8_t>();
-        case Type::int16:
+        case PlyType::int16:
             return bytes.take<std::int16_t>();
-        case Type::uint16:
+        case PlyType::uint16:
             return bytes.take<std::uint16_t>();
-        case Type::int32:
+        case PlyType::int32:
             return bytes.take<std::int32_t>();
-        case Type::uint32:
+        case PlyType::uint32:
             return bytes.take<std::uint32_t>();
-        case Type::float32:
+        case PlyType::float32:
             isSingle = isSingle || meaning == Meaning::coordinate;
             return finite(bytes.take<float>());
         default:
@@ -209,137 +144,22 @@ private:
     bool isSingle = false;
 };
 
-Format formatOf(const ImportedFile& file, int number, std::string_view name)
-{
-    if (name == "ascii")
-    {
-        return Format::ascii;
-    }
-    if (name != "binary_little_endian" && name != "binary_big_endian")
-    {
-        refuse(file, number,
-               fmt::format("Unknown format {}: it is ascii, binary_little_endian or binary_big_endian.",
-                           shown(name)));
-    }
-    return name == "binary_little_endian" ? Format::little : Format::big;
-}
-
-/// \param line without its first word
-Element elementOf(const ImportedFile& file, int number, std::string_view line)
-{
-    Element element{std::string(nextWord(line)), 0, {}};
-    const int count = integerOf(file, number, nextWord(line));
-    if (count < 0)
-    {
-        refuse(file, number, fmt::format("There cannot be {} elements.", count));
-    }
-    element.count = static_cast<std::size_t>(count);
-    return element;
-}
-
-/// \param line without its first word
-Property propertyOf(const ImportedFile& file, int number, std::string_view line)
-{
-    Property property;
-    std::string_view type = nextWord(line);
-    const bool isList = type == "list";
-    std::string_view countType;
-    if (isList)
-    {
-        countType = nextWord(line);
-        property.count = typeOf(countType);
-        type = nextWord(line);
-    }
-    const std::optional<Type> known = typeOf(type);
-    if (!known || (isList && !property.count))
-    {
-        refuse(file, number,
-               fmt::format("Unknown type {}: it is char, uchar, short, ushort, int, uint, float, double or "
-                           "a list.",
-                           shown(known ? countType : type)));
-    }
-    property.type = *known;
-    property.name = nextWord(line);
-    return property;
-}
-
-/// The first byte after a line, whose end LineReader has passed.
-std::size_t endOf(std::string_view line, const ImportedFile& file)
-{
-    auto end = static_cast<std::size_t>(line.data() + line.size() - file.bytes.data());
-    for (const char ending : {'\r', '\n'})
-    {
-        end += end < file.bytes.size() && file.bytes[end] == ending ? 1 : 0;
-    }
-    return end;
-}
-
-Header readHeader(const ImportedFile& file)
-{
-    Header header;
-    LineReader lines(file.bytes);
-    std::string_view line;
-    bool hasFormat = false;
-    lines.next(line);
-    if (trimmed(line) != "ply")
-    {
-        refuse(file, 1, "A PLY file begins with the line `ply`: this one does not.");
-    }
-    while (lines.next(line))
-    {
-        const int number = lines.number();
-        const std::string_view word = nextWord(line);
-        if (word == "format")
-        {
-            header.format = formatOf(file, number, nextWord(line));
-            hasFormat = true;
-        }
-        else if (word == "element")
-        {
-            header.elements.push_back(elementOf(file, number, line));
-        }
-        else if (word == "property")
-        {
-            if (header.elements.empty())
-            {
-                refuse(file, number, "This property belongs to no element.");
-            }
-            header.elements.back().properties.push_back(propertyOf(file, number, line));
-        }
-        else if (word == "end_header")
-        {
-            if (!hasFormat)
-            {
-                refuse(file, number, "The header has no line `format`.");
-            }
-            header.end = endOf(line, file);
-            header.lines = number;
-            return header;
-        }
-        else if (word != "comment" && word != "obj_info" && !word.empty())
-        {
-            refuse(file, number, fmt::format("Unknown word {} in the header.", shown(word)));
-        }
-    }
-    refuse(file, lines.number(), "The header has no line `end_header`: get a complete copy of the file.");
-}
-
-int axisOf(const Property& property)
+int axisOf(const PlyProperty& property)
 {
     return !property.count && property.name.size() == 1
                ? static_cast<int>(std::string_view("xyz").find(property.name))
                : -1;
 }
 
-bool isOfVertices(const Element& element, const Property& property)
+bool isOfVertices(const PlyElement& element, const PlyProperty& property)
 {
     return element.name == "face" && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
 /// The values of a list, or nothing where it is not one of vertices. \param number of its element
 template<class Source>
-std::vector<int> readList(Source& source, const ImportedFile& file, const Element& element,
-                          const Property& property, std::size_t number)
+std::vector<int> readList(Source& source, const ImportedFile& file, const PlyElement& element,
+                          const PlyProperty& property, std::size_t number)
 {
     const bool isFace = isOfVertices(element, property);
     const double count = source.take(*property.count, Meaning::other);
@@ -382,13 +202,13 @@ void refuseUnknownVertices(const Solid& solid, const ImportedFile& file)
 }
 
 template<class Source>
-Solids readData(const ImportedFile& file, const Header& header)
+Solids readData(const ImportedFile& file, const PlyHeader& header)
 {
     Source source(file, header);
     Solid solid;
     double largest = 0;
     // Counts of the header are not believed: what is there is appended until the file ends.
-    for (const Element& element : header.elements)
+    for (const PlyElement& element : header.elements)
     {
         if (element.properties.empty() && element.count > 0)
         {
@@ -397,7 +217,7 @@ Solids readData(const ImportedFile& file, const Header& header)
         for (std::size_t i = 0; i < element.count; ++i)
         {
             Vector<3> vertex = Vector<3>::Zero();
-            for (const Property& property : element.properties)
+            for (const PlyProperty& property : element.properties)
             {
                 if (property.count)
                 {
@@ -440,29 +260,30 @@ Solids readData(const ImportedFile& file, const Header& header)
 
 Solids readPly(const ImportedFile& file)
 {
-    const Header header = readHeader(file);
+    const PlyHeader header = readPlyHeader(file);
     const auto hasElement = [&](std::string_view name)
     {
         return std::any_of(header.elements.begin(), header.elements.end(),
-                           [&](const Element& element) { return element.name == name && element.count > 0; });
+                           [&](const PlyElement& element)
+                           { return element.name == name && element.count > 0; });
     };
     if (!hasElement("vertex") || !hasElement("face"))
     {
         refuse(file, 0, "The file has no elements `vertex` and `face`: it is no surface of solids.");
     }
-    for (const Element& element : header.elements)
+    for (const PlyElement& element : header.elements)
     {
         for (std::size_t axis = 0; element.name == "vertex" && axis < 3; ++axis)
         {
             if (std::none_of(element.properties.begin(), element.properties.end(),
-                             [&](const Property& property)
+                             [&](const PlyProperty& property)
                              { return axisOf(property) == static_cast<int>(axis); }))
             {
                 refuse(file, 0, fmt::format("Vertices have no property {}.", "xyz"[axis]));
             }
         }
     }
-    return header.format == Format::ascii ? readData<Words>(file, header) : readData<Bytes>(file, header);
+    return header.format == PlyFormat::ascii ? readData<Words>(file, header) : readData<Bytes>(file, header);
 }
 
 } // namespace drystone

@@ -438,9 +438,12 @@ TEST(ProvedRest, AHundredRandomWallsOfThePlaneMoveAsWithEverythingOn)
     EXPECT_EQ(count.unverified, 0);
 }
 
-TEST(ProvedRest, AHundredRandomWallsOfSpaceMoveAsWithEverythingOn)
+namespace
 {
-    const StepCounts count = verifyRandomWalls<3>(100, 1001);
+
+void verifyWallsOfSpace(int scenes)
+{
+    const StepCounts count = verifyRandomWalls<3>(scenes, 1001);
     EXPECT_GT(count.atRest, 0.3 * count.steps);
     EXPECT_LT(count.atRest, 0.8 * count.steps);
     EXPECT_GT(count.inPart, 0.01 * count.steps);
@@ -448,32 +451,52 @@ TEST(ProvedRest, AHundredRandomWallsOfSpaceMoveAsWithEverythingOn)
     EXPECT_EQ(count.unverified, 0);
 }
 
-// By Coulomb's law a motion is not unique where forces are not: blocks that other forces could hold may move.
-TEST(ProvedRest, AHundredRandomWallsMoveAsWithEverythingOnByCoulombsLaw)
+/// By Coulomb's law a motion is not unique where forces are not: blocks that other forces could hold may
+/// move.
+void verifyWallsOfCoulombsLaw(int inPlane, int inSpace)
 {
-    const StepCounts plane = verifyRandomWalls<2>(100, 2001, FlowRule::nonAssociative);
+    const StepCounts plane = verifyRandomWalls<2>(inPlane, 2001, FlowRule::nonAssociative);
     EXPECT_GT(plane.atRest, 0.3 * plane.steps);
     EXPECT_EQ(plane.inPart, 0);
     EXPECT_EQ(plane.unsolved, 0);
     EXPECT_EQ(plane.unverified, 0);
-    const StepCounts space = verifyRandomWalls<3>(40, 3001, FlowRule::nonAssociative);
+    const StepCounts space = verifyRandomWalls<3>(inSpace, 3001, FlowRule::nonAssociative);
     EXPECT_GT(space.atRest, 0.3 * space.steps);
     EXPECT_GT(space.inPart, 0.02 * space.steps);
     EXPECT_LE(space.unsolved, 1); // of the work allowed to a step
     EXPECT_EQ(space.unverified, 0);
 }
 
-// By Coulomb's law blocks of the plane are held and joined in towers only.
-TEST(ProvedRest, AHundredRandomTowersMoveAsWithEverythingOnByCoulombsLaw)
+/// By Coulomb's law blocks of the plane are held and joined in towers only.
+void verifyTowersOfCoulombsLaw(int inPlane, int inSpace)
 {
-    const StepCounts plane = verifyRandomWalls<2>(80, 4001, FlowRule::nonAssociative, randomWalls::towers<2>);
+    const StepCounts plane =
+        verifyRandomWalls<2>(inPlane, 4001, FlowRule::nonAssociative, randomWalls::towers<2>);
     EXPECT_GT(plane.inPart, 0.1 * plane.steps);
     EXPECT_EQ(plane.unsolved, 0);
     EXPECT_EQ(plane.unverified, 0);
-    const StepCounts space = verifyRandomWalls<3>(20, 4501, FlowRule::nonAssociative, randomWalls::towers<3>);
+    const StepCounts space =
+        verifyRandomWalls<3>(inSpace, 4501, FlowRule::nonAssociative, randomWalls::towers<3>);
     EXPECT_GT(space.inPart, 0.1 * space.steps);
     EXPECT_EQ(space.unsolved, 0);
     EXPECT_EQ(space.unverified, 0);
+}
+
+} // namespace
+
+TEST(ProvedRest, RandomWallsOfSpaceMoveAsWithEverythingOn)
+{
+    verifyWallsOfSpace(33);
+}
+
+TEST(ProvedRest, RandomWallsMoveAsWithEverythingOnByCoulombsLaw)
+{
+    verifyWallsOfCoulombsLaw(33, 14);
+}
+
+TEST(ProvedRest, RandomTowersMoveAsWithEverythingOnByCoulombsLaw)
+{
+    verifyTowersOfCoulombsLaw(27, 7);
 }
 
 namespace
@@ -559,6 +582,29 @@ void withMovingGround(DynamicCase<Dim>& scene, unsigned seed)
                                            OutOfBounds::zero)}}));
 }
 
+/// A step without an impact is the same without restitution, and one in which friction alone holds what bonds
+/// could hold too is the same without these.
+void verifyTowersWithRestitutionOrBonds(int inPlane, int inSpace)
+{
+    constexpr FlowRule coulomb = FlowRule::nonAssociative;
+    for (const auto change : {withRestitution<2>, withBonds<2>})
+    {
+        const StepCounts plane =
+            verifyRandomWalls<2>(inPlane, 20001, coulomb, randomWalls::towers<2>, change);
+        EXPECT_GT(plane.inPart, 0.15 * plane.steps);
+        EXPECT_EQ(plane.unsolved, 0);
+        EXPECT_EQ(plane.unverified, 0);
+    }
+    for (const auto change : {withRestitution<3>, withBonds<3>})
+    {
+        const StepCounts space =
+            verifyRandomWalls<3>(inSpace, 20001, coulomb, randomWalls::towers<3>, change);
+        EXPECT_GT(space.inPart, 0.1 * space.steps);
+        EXPECT_EQ(space.unsolved, 0);
+        EXPECT_EQ(space.unverified, 0);
+    }
+}
+
 } // namespace
 
 // Points that give way rest while the load stays as it is, and supports that move at times are at rest at
@@ -581,25 +627,9 @@ TEST(ProvedRest, RandomWallsWithElasticJointsOrMovingGroundMoveAsWithEverythingO
     }
 }
 
-// A step without an impact is the same without restitution, and one in which friction alone holds what bonds
-// could hold too is the same without these.
 TEST(ProvedRest, RandomTowersWithRestitutionOrBondsMoveAsWithEverythingOnByCoulombsLaw)
 {
-    constexpr FlowRule coulomb = FlowRule::nonAssociative;
-    for (const auto change : {withRestitution<2>, withBonds<2>})
-    {
-        const StepCounts plane = verifyRandomWalls<2>(60, 20001, coulomb, randomWalls::towers<2>, change);
-        EXPECT_GT(plane.inPart, 0.15 * plane.steps);
-        EXPECT_EQ(plane.unsolved, 0);
-        EXPECT_EQ(plane.unverified, 0);
-    }
-    for (const auto change : {withRestitution<3>, withBonds<3>})
-    {
-        const StepCounts space = verifyRandomWalls<3>(15, 20001, coulomb, randomWalls::towers<3>, change);
-        EXPECT_GT(space.inPart, 0.1 * space.steps);
-        EXPECT_EQ(space.unsolved, 0);
-        EXPECT_EQ(space.unverified, 0);
-    }
+    verifyTowersWithRestitutionOrBonds(20, 5);
 }
 
 // Work on fewer bodies that led to nothing, as points collide, does not count: from how much is left follows
@@ -652,6 +682,14 @@ TEST(ProvedRest, WallsThatMovedOtherwiseMoveAsWithEverythingOn)
         unverified += verifyRandomWalls<3>(1, seed, FlowRule::nonAssociative).unverified;
     }
     EXPECT_EQ(unverified, 0);
+}
+
+TEST(NightlyProvedRest, HundredsOfRandomWallsAndTowersMoveAsWithEverythingOn)
+{
+    verifyWallsOfSpace(100);
+    verifyWallsOfCoulombsLaw(100, 40);
+    verifyTowersOfCoulombsLaw(80, 20);
+    verifyTowersWithRestitutionOrBonds(60, 15);
 }
 
 TEST(NightlyProvedRest, ThousandsOfRandomWallsMoveAsWithEverythingOn)

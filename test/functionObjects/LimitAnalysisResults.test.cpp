@@ -6,6 +6,7 @@
 #include "core/Error.h"
 #include "core/WholeFile.h"
 #include "functionObjects/CollapseProgressLog.h"
+#include "functionObjects/CoulombRangeLog.h"
 #include "functionObjects/LimitAnalysisLog.h"
 #include "functionObjects/LimitAnalysisTables.h"
 #include "functionObjects/LoadMeaning.h"

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The envelope of a moving load, and its worst place.
 #include "functionObjects/LoadEnvelope.h"
+#include "functionObjects/LoadEnvelopeFiles.h"
 
 #include "core/WholeFile.h"
 

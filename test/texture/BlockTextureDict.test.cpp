@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// system/blockTextureDict: structures from dictionaries, and each fault reported with its line.
+#include "../ReportOf.h"
 #include "contact/ContactPoint.h"
 #include "texture/Texture.h"
 
@@ -23,15 +24,7 @@ Assembly<2> structure(const std::string& text)
 
 std::string report(const std::string& text)
 {
-    try
-    {
-        structure(text);
-    }
-    catch (const FatalError& error)
-    {
-        return error.report();
-    }
-    return "no error";
+    return reportOf([&] { structure(text); });
 }
 
 const std::string bond = "texture { type runningBond; unit (0.4 0.175); length 5; courses 6;";

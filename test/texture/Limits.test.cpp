@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The limit of the number of blocks, in all textures of space that count them.
 #include "texture/Limits.h"
+#include "../ReportOf.h"
 #include "texture/Texture.h"
 
 #include <fmt/format.h>
@@ -15,18 +16,14 @@ using testing::HasSubstr;
 namespace
 {
 
-std::string report(const std::string& texture)
+std::string reportOfTexture(const std::string& texture)
 {
-    try
-    {
-        makeStructure<3>(
-            Dictionary::readString("dimensions 3; texture { " + texture + " }", "system/blockTextureDict"));
-    }
-    catch (const FatalError& error)
-    {
-        return error.report();
-    }
-    return "no error";
+    return reportOf(
+        [&]
+        {
+            makeStructure<3>(Dictionary::readString("dimensions 3; texture { " + texture + " }",
+                                                    "system/blockTextureDict"));
+        });
 }
 
 TEST(Limits, TheLargestStructureIsNoneTooLarge)
@@ -46,23 +43,24 @@ TEST(Limits, MoreBlocksThanAStructureHasAreRefusedAtOnce)
         axes += fmt::format("({} 0) ", i);
     }
     const std::string arch = "radius 1; thickness 0.1; ";
-    EXPECT_THAT(report("type barrelVault; " + arch + "voussoirs 5000; length 1; slices 2001;"),
+    EXPECT_THAT(reportOfTexture("type barrelVault; " + arch + "voussoirs 5000; length 1; slices 2001;"),
                 HasSubstr("A vault of 5000 voussoirs by 2001 slices has " + many));
-    EXPECT_THAT(report("type barrelVault; " + arch + "voussoirs 10000000; length 1;"),
+    EXPECT_THAT(reportOfTexture("type barrelVault; " + arch + "voussoirs 10000000; length 1;"),
                 HasSubstr("give at most 31415."));
-    EXPECT_THAT(report("type extrusion; of { type arch; " + arch + "voussoirs 10000000; }"),
+    EXPECT_THAT(reportOfTexture("type extrusion; of { type arch; " + arch + "voussoirs 10000000; }"),
                 HasSubstr("10000000 voussoirs are 3.1e-07 m thin, in an arch that is 0.1 m thick"));
-    EXPECT_THAT(
-        report("type tower; around 100000; courses 101; innerRadius 1; outerRadius 2; courseHeight 1;"),
-        HasSubstr(many));
-    EXPECT_THAT(
-        report("type dome; " + arch + "around 1000; rows 9000; cap 10; drum { height 1; courses 1001; }"),
-        HasSubstr(many));
-    EXPECT_THAT(report("type column; radius 0.3; drums 10000; drumHeight 1; at (" + axes + ");"),
+    EXPECT_THAT(reportOfTexture(
+                    "type tower; around 100000; courses 101; innerRadius 1; outerRadius 2; courseHeight 1;"),
                 HasSubstr(many));
-    EXPECT_THAT(report("type walls; unit (0.24 0.12 0.08); bond flemish; courses 4000; walls { wall { from "
-                       "(0 0); length 1000; } }"),
-                HasSubstr("This plan of walls has " + many));
+    EXPECT_THAT(reportOfTexture("type dome; " + arch
+                                + "around 1000; rows 9000; cap 10; drum { height 1; courses 1001; }"),
+                HasSubstr(many));
+    EXPECT_THAT(reportOfTexture("type column; radius 0.3; drums 10000; drumHeight 1; at (" + axes + ");"),
+                HasSubstr(many));
+    EXPECT_THAT(
+        reportOfTexture("type walls; unit (0.24 0.12 0.08); bond flemish; courses 4000; walls { wall { from "
+                        "(0 0); length 1000; } }"),
+        HasSubstr("This plan of walls has " + many));
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Openings and their lintels beside each other and where walls meet, in the plane and in space.
+#include "../ReportOf.h"
 #include "contact/AssemblyChecks.h"
 #include "texture/Texture.h"
 
@@ -19,15 +20,7 @@ namespace
 template<int Dim>
 std::string report(const std::string& text)
 {
-    try
-    {
-        makeStructure<Dim>(Dictionary::readString(text, "system/blockTextureDict"));
-    }
-    catch (const FatalError& error)
-    {
-        return error.report();
-    }
-    return "no error";
+    return reportOf([&] { makeStructure<Dim>(Dictionary::readString(text, "system/blockTextureDict")); });
 }
 
 std::string inPlane(const std::string& openings)

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Textures of space: numbers of blocks, contacts and points of structures that two other codes computed too,
 /// volumes in closed form, and the faults of their dictionaries.
+#include "../ReportOf.h"
 #include "contact/ContactPoint.h"
 #include "texture/Texture.h"
 #include "texture/space/Extrusion.h"
@@ -21,25 +22,17 @@ using testing::HasSubstr;
 namespace
 {
 
-const std::string ground = " supports { ground { type ground; } }";
+const std::string onSlab = " supports { ground { type ground; } }";
 
-Assembly<3> structure(const std::string& texture, const std::string& supports = ground)
+Assembly<3> spaceStructure(const std::string& texture, const std::string& supports = onSlab)
 {
     return makeStructure<3>(Dictionary::readString("dimensions 3; texture { " + texture + " }" + supports,
                                                    "system/blockTextureDict"));
 }
 
-std::string report(const std::string& texture)
+std::string spaceReport(const std::string& texture)
 {
-    try
-    {
-        structure(texture);
-    }
-    catch (const FatalError& error)
-    {
-        return error.report();
-    }
-    return "no error";
+    return reportOf([&] { spaceStructure(texture); });
 }
 
 /// Free blocks, joints and contact points, as `33 / 83 / 332`.
@@ -63,7 +56,7 @@ double freeVolume(const Assembly<3>& assembly)
     return volume;
 }
 
-std::string bond(const std::string& type, int length, int courses, const std::string& more = {})
+std::string bondedWall(const std::string& type, int length, int courses, const std::string& more = {})
 {
     return fmt::format("type walls; unit (0.24 0.12 0.08); bond {}; courses {}; walls {{ wall {{ from (0 0); "
                        "length {}; }} }} {}",
@@ -116,7 +109,7 @@ struct Reference
     std::string name;
     std::string texture;
     std::string counts;
-    std::string supports = ground;
+    std::string supports = onSlab;
 };
 
 TEST(SpaceTextures, HaveTheBlocksContactsAndPointsOfTheReferences)
@@ -128,10 +121,10 @@ TEST(SpaceTextures, HaveTheBlocksContactsAndPointsOfTheReferences)
         {"wall 1 extruded, thickness .3",
          "type extrusion; of { type runningBond; unit (0.4 0.175); length 5; courses 6; } thickness 0.3;",
          "33 / 83 / 332"},
-        {"running", bond("running", 4, 6), "27 / 65 / 260"},
-        {"header", bond("header", 4, 6), "51 / 133 / 532"},
-        {"english", bond("english", 4, 6), "51 / 182 / 728"},
-        {"flemish", bond("flemish", 4, 6), "69 / 260 / 1040"},
+        {"running", bondedWall("running", 4, 6), "27 / 65 / 260"},
+        {"header", bondedWall("header", 4, 6), "51 / 133 / 532"},
+        {"english", bondedWall("english", 4, 6), "51 / 182 / 728"},
+        {"flemish", bondedWall("flemish", 4, 6), "69 / 260 / 1040"},
         {"L 3 1 6", frontWithReturns(3, 1, 6), "24 / 57 / 228"},
         {"U 3 1 6", frontWithReturns(3, 1, 6, "right"), "27 / 66 / 264"},
         {"L 4 2 8", frontWithReturns(4, 2, 8), "48 / 123 / 492"},
@@ -150,8 +143,9 @@ TEST(SpaceTextures, HaveTheBlocksContactsAndPointsOfTheReferences)
                "length 2; "
                "thickness right; } }",
          "42 / 110 / 440"},
-        {"two leaves", bond("running", 4, 9, "leaves 2;"), "80 / 238 / 952"},
-        {"two leaves with headers", bond("running", 4, 9, "leaves 2; headersEvery 3;"), "78 / 226 / 904"},
+        {"two leaves", bondedWall("running", 4, 9, "leaves 2;"), "80 / 238 / 952"},
+        {"two leaves with headers", bondedWall("running", 4, 9, "leaves 2; headersEvery 3;"),
+         "78 / 226 / 904"},
         {"dome with a cap", "type dome; radius 1; thickness 0.1; around 8; rows 8; cap 10;",
          "65 / 136 / 544"},
         {"dome with an oculus", "type dome; radius 1; thickness 0.1; around 8; rows 8; oculus 20;",
@@ -175,7 +169,7 @@ TEST(SpaceTextures, HaveTheBlocksContactsAndPointsOfTheReferences)
     };
     for (const Reference& reference : references)
     {
-        EXPECT_EQ(counts(structure(reference.texture, reference.supports)), reference.counts)
+        EXPECT_EQ(counts(spaceStructure(reference.texture, reference.supports)), reference.counts)
             << reference.name;
     }
 }
@@ -187,43 +181,43 @@ TEST(SpaceTextures, AnExtrudedWallHasTheJointsOfThePlaneWallWithTwiceThePoints)
         "9); } { from (4.5 12); to (5.5 17); } );";
     const Assembly<2> plane = makeStructure(
         Dictionary::readString("texture { " + wall + " } supports { ground { type ground; } }"));
-    const Assembly<3> space = structure("type extrusion; of { " + wall + " }");
+    const Assembly<3> space = spaceStructure("type extrusion; of { " + wall + " }");
     EXPECT_EQ(findContactPoints(space).size(), 2 * findContactPoints(plane).size());
     EXPECT_EQ(space.blocks.size(), plane.blocks.size());
 }
 
 TEST(SpaceTextures, FillTheVolumeThatTheyShould)
 {
-    EXPECT_NEAR(freeVolume(structure(bond("english", 6, 10))), 6 * 0.24 * 0.24 * 0.8, 1e-12);
-    EXPECT_NEAR(freeVolume(structure(bond("flemish", 5, 7))), 14 * 0.12 * 0.24 * 0.56, 1e-12);
-    EXPECT_NEAR(freeVolume(structure(bond("header", 3, 5))), 3 * 0.24 * 0.24 * 0.4, 1e-12);
-    EXPECT_NEAR(freeVolume(structure(bond("stack", 3, 5))), 3 * 0.24 * 0.12 * 0.4, 1e-12);
-    EXPECT_NEAR(freeVolume(structure(house)), (1.6 * 1.2 - 1.2 * 0.8) * 1.2, 1e-12);
+    EXPECT_NEAR(freeVolume(spaceStructure(bondedWall("english", 6, 10))), 6 * 0.24 * 0.24 * 0.8, 1e-12);
+    EXPECT_NEAR(freeVolume(spaceStructure(bondedWall("flemish", 5, 7))), 14 * 0.12 * 0.24 * 0.56, 1e-12);
+    EXPECT_NEAR(freeVolume(spaceStructure(bondedWall("header", 3, 5))), 3 * 0.24 * 0.24 * 0.4, 1e-12);
+    EXPECT_NEAR(freeVolume(spaceStructure(bondedWall("stack", 3, 5))), 3 * 0.24 * 0.12 * 0.4, 1e-12);
+    EXPECT_NEAR(freeVolume(spaceStructure(house)), (1.6 * 1.2 - 1.2 * 0.8) * 1.2, 1e-12);
     EXPECT_NEAR(
-        freeVolume(structure(house + "openings ( { wall left; from (1 2); to (2 4); lintel 0.25; } );")),
+        freeVolume(spaceStructure(house + "openings ( { wall left; from (1 2); to (2 4); lintel 0.25; } );")),
         (1.6 * 1.2 - 1.2 * 0.8) * 1.2 - 0.4 * 0.2 * 0.4, 1e-12);
     // 27 trapezoids: R t n sin(pi/n) per metre.
-    EXPECT_NEAR(
-        freeVolume(structure("type barrelVault; radius 1; thickness 0.15; voussoirs 27; length 2; slices 3; "
-                             "staggered yes;")),
-        2 * 0.15 * 27 * std::sin(std::numbers::pi / 27), 1e-12);
+    EXPECT_NEAR(freeVolume(spaceStructure(
+                    "type barrelVault; radius 1; thickness 0.15; voussoirs 27; length 2; slices 3; "
+                    "staggered yes;")),
+                2 * 0.15 * 27 * std::sin(std::numbers::pi / 27), 1e-12);
     // Rings between regular octagons: 4 sin(45 deg)(ro^2 - ri^2) times the height, whatever the bond.
     for (const std::string type : {"turned", "toothed", "stacked"})
     {
-        EXPECT_NEAR(freeVolume(structure(
+        EXPECT_NEAR(freeVolume(spaceStructure(
                         "type tower; around 8; courses 6; innerRadius 0.8; outerRadius 1; courseHeight "
                         "0.25; bond "
                         + type + ";")),
                     4 * std::sqrt(0.5) * 0.36 * 1.5, 1e-12);
     }
-    EXPECT_NEAR(freeVolume(structure("type rubble; size (2 0.5 1); stones 200;")), 1, 1e-12);
+    EXPECT_NEAR(freeVolume(spaceStructure("type rubble; size (2 0.5 1); stones 200;")), 1, 1e-12);
 }
 
 TEST(SpaceTextures, ADomeOnADrumStandsOnIt)
 {
     const std::string dome = "type dome; radius 1; thickness 0.1; around 8; rows 4; cap 10; ";
-    EXPECT_EQ(counts(structure(dome)), "33 / 72 / 288");
-    const Assembly<3> drum = structure(dome + "drum { height 0.5; courses 2; thickness 0.2; }");
+    EXPECT_EQ(counts(spaceStructure(dome)), "33 / 72 / 288");
+    const Assembly<3> drum = spaceStructure(dome + "drum { height 0.5; courses 2; thickness 0.2; }");
     // Two courses of 8: 16 heads, 8 on the ground, 16 between them, 16 under the dome; with the 64
     // of the dome but its 8 on the ground.
     EXPECT_EQ(counts(drum).substr(0, 8), "49 / 120");
@@ -235,17 +229,18 @@ TEST(SpaceTextures, ABarrelOfASmallAngleHasAbutmentsAndOneOfAHalfCircleStandsOnT
 {
     const std::string segment =
         "type barrelVault; radius 1; thickness 0.15; voussoirs 9; length 1; slices 2; angle 120;";
-    const Assembly<3> vault = structure(segment, "");
+    const Assembly<3> vault = spaceStructure(segment, "");
     EXPECT_EQ(vault.supports.size(), 2U);
     EXPECT_EQ(vault.blocks.size(), 18U + 2);
     EXPECT_EQ(counts(vault).substr(0, 7), "18 / 29"); // 8 x 2 between rows, 9 within, 2 x 2 springings
-    EXPECT_EQ(structure("type barrelVault; radius 1; thickness 0.15; voussoirs 9; length 1;").supports.size(),
-              1U);
+    EXPECT_EQ(
+        spaceStructure("type barrelVault; radius 1; thickness 0.15; voussoirs 9; length 1;").supports.size(),
+        1U);
 }
 
 TEST(SpaceTextures, StepsOfAStairAreEnclosedByTheWallAndLieOnEachOther)
 {
-    const Assembly<3> stair = structure("type stair; steps 5;", "");
+    const Assembly<3> stair = spaceStructure("type stair; steps 5;", "");
     // Each step: 2 stones beside it; the lowest on the foot of the wall, the top under its crown, others on
     // the steps and stones next to them.
     const auto points = findContactPoints(stair);
@@ -264,9 +259,9 @@ TEST(SpaceTextures, StepsOfAStairAreEnclosedByTheWallAndLieOnEachOther)
 TEST(SpaceTextures, RubbleDependsOnItsSeedAloneAndFitsTogether)
 {
     const std::string rubble = "type rubble; size (2 0.5 1); stones 120; seed ";
-    const Assembly<3> one = structure(rubble + "3;");
-    EXPECT_EQ(one.blocks[7].shape, structure(rubble + "3;").blocks[7].shape);
-    EXPECT_NE(one.blocks[7].shape, structure(rubble + "4;").blocks[7].shape);
+    const Assembly<3> one = spaceStructure(rubble + "3;");
+    EXPECT_EQ(one.blocks[7].shape, spaceStructure(rubble + "3;").blocks[7].shape);
+    EXPECT_NE(one.blocks[7].shape, spaceStructure(rubble + "4;").blocks[7].shape);
     // Euler: every stone is a convex polyhedron; every face inside belongs to two of them.
     std::size_t faces = 0;
     for (std::size_t i = 0; i + 1 < one.blocks.size(); ++i)
@@ -308,7 +303,7 @@ TEST(SpaceTextures, RubbleWithoutShortEdgesStillFitsTogether)
         {
             const std::string text = fmt::format(
                 "type rubble; size (1 0.5 1); stones 100; seed {}; leastEdge {};", seed, leastEdge);
-            const Assembly<3> rubble = structure(text, "");
+            const Assembly<3> rubble = spaceStructure(text, "");
             ASSERT_EQ(rubble.blocks.size(), 100U);
             EXPECT_NEAR(freeVolume(rubble), 0.5, 1e-12) << text;
             double surface = 0;
@@ -346,7 +341,7 @@ TEST(SpaceTextures, RubbleWithoutShortEdgesStillFitsTogether)
 
 TEST(SpaceTextures, ATaperedColumnIsAFrustum)
 {
-    const Assembly<3> column = structure(
+    const Assembly<3> column = spaceStructure(
         "type column; sides 4; radius 0.5; drums 3; drumHeight 0.5; taper 0.4;"); // a square: area 2 r^2
     const double a = 0.5;
     const double b = 0.3;
@@ -355,45 +350,51 @@ TEST(SpaceTextures, ATaperedColumnIsAFrustum)
 
 TEST(SpaceTextures, FaultsAreNamed)
 {
-    EXPECT_THAT(report("type boxes; blocks ( ((0 0 0) (1 1 1)) ((0 0 1) (1 1 0.5)) );"),
+    EXPECT_THAT(spaceReport("type boxes; blocks ( ((0 0 0) (1 1 1)) ((0 0 1) (1 1 0.5)) );"),
                 HasSubstr("Box 1 has no volume"));
-    EXPECT_THAT(report("type wals;"), HasSubstr("Did you mean walls?"));
-    EXPECT_THAT(report("type runningBond;"), HasSubstr("extrusion"));
-    EXPECT_THAT(report("type walls; unit (0.25 0.1 0.06); bond english; courses 2; walls { a { from (0 0); "
-                       "length 4; } }"),
-                HasSubstr("twice as long as it is wide"));
-    EXPECT_THAT(report("type walls; unit (0.25 0.125 0.06); bond flemish; courses 2; walls { a { from (0 0); "
-                       "length 3.5; } }"),
-                HasSubstr("whole number"));
-    EXPECT_THAT(report(bond("stack", 4, 6, "leaves 2;")), HasSubstr("Only a running bond"));
-    EXPECT_THAT(report(house + "openings ( { wall frnt; from (1 0); to (2 4); } );"),
+    EXPECT_THAT(spaceReport("type wals;"), HasSubstr("Did you mean walls?"));
+    EXPECT_THAT(spaceReport("type runningBond;"), HasSubstr("extrusion"));
+    EXPECT_THAT(
+        spaceReport("type walls; unit (0.25 0.1 0.06); bond english; courses 2; walls { a { from (0 0); "
+                    "length 4; } }"),
+        HasSubstr("twice as long as it is wide"));
+    EXPECT_THAT(
+        spaceReport("type walls; unit (0.25 0.125 0.06); bond flemish; courses 2; walls { a { from (0 0); "
+                    "length 3.5; } }"),
+        HasSubstr("whole number"));
+    EXPECT_THAT(spaceReport(bondedWall("stack", 4, 6, "leaves 2;")), HasSubstr("Only a running bond"));
+    EXPECT_THAT(spaceReport(house + "openings ( { wall frnt; from (1 0); to (2 4); } );"),
                 HasSubstr("no wall of this name. There are: front back left right."));
-    EXPECT_THAT(report(house + "openings ( { wall front; from (1 0); to (2 6); lintel 0.5; } );"),
+    EXPECT_THAT(spaceReport(house + "openings ( { wall front; from (1 0); to (2 6); lintel 0.5; } );"),
                 HasSubstr("no course above it"));
-    EXPECT_THAT(report(house + "openings ( { wall front; from (1 0.5); to (2 4); } );"),
+    EXPECT_THAT(spaceReport(house + "openings ( { wall front; from (1 0.5); to (2 4); } );"),
                 HasSubstr("whole courses"));
-    EXPECT_THAT(report(house + "openings ( { wall front; from (3 0); to (5 4); } );"),
+    EXPECT_THAT(spaceReport(house + "openings ( { wall front; from (3 0); to (5 4); } );"),
                 HasSubstr("outside wall front"));
-    EXPECT_THAT(report(stone
-                       + "courses 2; walls { a { from (0 0); length 4; } b { from (0.5 0); direction (1 1); "
-                         "length 2; } }"),
-                HasSubstr("not at right angles"));
-    EXPECT_THAT(report(stone
-                       + "courses 2; walls { a { from (0 0); length 4; } b { from (0.5 0.1); direction (0 "
-                         "1); length 2; } }"),
-                HasSubstr("ends within the thickness of wall a"));
-    EXPECT_THAT(report("type dome; radius 1; thickness 0.1; around 8; rows 8;"),
+    EXPECT_THAT(
+        spaceReport(stone
+                    + "courses 2; walls { a { from (0 0); length 4; } b { from (0.5 0); direction (1 1); "
+                      "length 2; } }"),
+        HasSubstr("not at right angles"));
+    EXPECT_THAT(
+        spaceReport(stone
+                    + "courses 2; walls { a { from (0 0); length 4; } b { from (0.5 0.1); direction (0 "
+                      "1); length 2; } }"),
+        HasSubstr("ends within the thickness of wall a"));
+    EXPECT_THAT(spaceReport("type dome; radius 1; thickness 0.1; around 8; rows 8;"),
                 HasSubstr("either cap or oculus"));
-    EXPECT_THAT(report("type crossVault; radius 1; thickness 0.2; voussoirs 7; reach 1.4;"),
+    EXPECT_THAT(spaceReport("type crossVault; radius 1; thickness 0.2; voussoirs 7; reach 1.4;"),
                 HasSubstr("even"));
-    EXPECT_THAT(report("type crossVault; radius 1; thickness 0.2; voussoirs 8; reach 1;"),
+    EXPECT_THAT(spaceReport("type crossVault; radius 1; thickness 0.2; voussoirs 8; reach 1;"),
                 HasSubstr("reach farther"));
-    EXPECT_THAT(report("type tower; around 8; courses 6; innerRadius 1; outerRadius 1; courseHeight 0.25;"),
-                HasSubstr("above the inner one"));
-    EXPECT_THAT(report("type column; radius 0.3; drums 5; drumHeight 0.4; architrave { width 1; height 1; }"),
-                HasSubstr("two columns at least"));
-    EXPECT_THAT(report("type boxes; blocks ( ((0 0 -0.5) (1 1 1)) );"), HasSubstr("below z = 0"));
-    EXPECT_THAT(report("type barrelVault; radius 1; thickness 2; voussoirs 9; length 1;"),
+    EXPECT_THAT(
+        spaceReport("type tower; around 8; courses 6; innerRadius 1; outerRadius 1; courseHeight 0.25;"),
+        HasSubstr("above the inner one"));
+    EXPECT_THAT(
+        spaceReport("type column; radius 0.3; drums 5; drumHeight 0.4; architrave { width 1; height 1; }"),
+        HasSubstr("two columns at least"));
+    EXPECT_THAT(spaceReport("type boxes; blocks ( ((0 0 -0.5) (1 1 1)) );"), HasSubstr("below z = 0"));
+    EXPECT_THAT(spaceReport("type barrelVault; radius 1; thickness 2; voussoirs 9; length 1;"),
                 HasSubstr("below twice the radius"));
 }
 
@@ -414,7 +415,7 @@ TEST(SpaceTextures, TurnedMovedAndScaledStructuresKeepTheirJoints)
     std::mt19937 random(41);
     std::normal_distribution<double> normal;
     for (const std::string& texture :
-         {house, bond("flemish", 4, 6),
+         {house, bondedWall("flemish", 4, 6),
           std::string("type dome; radius 1; thickness 0.1; around 9; rows 5; oculus 15;"),
           std::string("type crossVault; radius 1; thickness 0.2; voussoirs 8; reach 1.4;"),
           std::string("type tower; around 7; courses 5; innerRadius 0.8; outerRadius 1; courseHeight 0.25; "
@@ -423,7 +424,7 @@ TEST(SpaceTextures, TurnedMovedAndScaledStructuresKeepTheirJoints)
               "type barrelVault; radius 1; thickness 0.15; voussoirs 9; length 2; slices 4; staggered yes;"),
           std::string("type rubble; size (1 0.5 1); stones 60; seed 5;")})
     {
-        const Assembly<3> built = structure(texture);
+        const Assembly<3> built = spaceStructure(texture);
         for (int trial = 0; trial < 20; ++trial)
         {
             const Eigen::Matrix3d rotation =

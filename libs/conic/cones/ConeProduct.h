@@ -10,6 +10,7 @@
 namespace drystone
 {
 
+/// How many cones of each kind there are, and so where each has its entries in a vector.
 struct ConeRanges
 {
     Eigen::Index rays = 0;

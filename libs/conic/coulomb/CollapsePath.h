@@ -10,6 +10,7 @@
 namespace drystone
 {
 
+/// What a path to a collapse begins with and when it ends.
 struct CollapsePathSettings
 {
     double dilatancy = 0; ///< psi: opening over slip; at most the friction coefficient of a point

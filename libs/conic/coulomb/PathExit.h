@@ -9,12 +9,13 @@
 namespace drystone
 {
 
+/// Which point leaves its piece, through which side of it, and after which way.
 template<int Forces>
 struct PathExit
 {
-    int point = -1; ///< or none
+    int point = -1; ///< none
     PieceSide<Forces> side;
-    double length = 0; ///< in t
+    double length = 0; ///< of the way to it, in t; of no point all that the path may go
 };
 
 /// The first point to leave its piece along w + s rate.

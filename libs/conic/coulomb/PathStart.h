@@ -9,6 +9,7 @@
 namespace drystone
 {
 
+/// A place of the path that has given forces. F: forces a point, k: points.
 template<int Forces>
 struct PathStart
 {

@@ -10,6 +10,7 @@
 namespace drystone
 {
 
+/// What iterations compute in.
 enum class Numbers
 {
     standard, ///< doubles
