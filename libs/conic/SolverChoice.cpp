@@ -23,18 +23,16 @@ constexpr double nearby = 1e-4;
 constexpr int mostStepsFromNearby = 24;
 constexpr double penaltyFromNearby = 1e4;
 
-/// What the interior point reaches on every step; the digits beyond come in the plane from the augmented
-/// Lagrangian, whose active set is then right and whose penalty can be large. In space, where cones are round
-/// and no set of active rays is ever right, that takes hundreds of factorisations, and the interior point
-/// with all digits 20.
+/// What the interior point reaches on every step; the digits beyond come from the augmented Lagrangian, whose
+/// active set is then right and whose penalty can be large.
 constexpr double attainable = 1e-10;
 constexpr std::array penaltiesOfLastDigits{1e7, 1e5, 1e3, 1e9};
 
 /// A certificate beyond this, or none that is a number, is of no start.
 constexpr double astray = 1;
 
-/// Down to here the interior point is tried with all digits requested: in space at once, in the plane where
-/// the active set does not settle.
+/// Down to here the interior point is tried once more where the active set does not settle, with all digits
+/// requested.
 constexpr double lastDigits = 1e-13;
 
 } // namespace
@@ -159,13 +157,6 @@ bool isStepInTime(const ConeProgram<Rows, Forces>& program)
     return program.hasInertia() && !program.hasMultiplier() && !program.hasCrushing();
 }
 
-/// Whether the interior point is asked for digits that it often does not reach.
-template<int Rows, int Forces>
-bool wantsLastDigits(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice)
-{
-    return isStepInTime(program) && choice.tolerance < attainable && choice.tolerance >= lastDigits;
-}
-
 /// The digits that the interior point does not reach. \param from where multipliers begin
 template<int Rows, int Forces>
 void findLastDigits(const ConeProgram<Rows, Forces>& program, const SolverChoice& choice,
@@ -182,7 +173,7 @@ void findLastDigits(const ConeProgram<Rows, Forces>& program, const SolverChoice
             return;
         }
     }
-    if (Forces == 2 && wantsLastDigits(program, choice))
+    if (isStepInTime(program) && choice.tolerance < attainable && choice.tolerance >= lastDigits)
     {
         found.take(solveInteriorPoint(program, interiorPointSettings(choice), kept));
     }
@@ -218,11 +209,6 @@ ConeSolution solveAutomatically(const ConeProgram<Rows, Forces>& program, const 
             return std::move(found.best);
         }
         found.loseStart();
-    }
-    if (Forces == 3 && wantsLastDigits(program, choice)
-        && found.take(solveInteriorPoint(program, interiorPointSettings(choice), kept)))
-    {
-        return std::move(found.best);
     }
     SolverChoice within = choice; // of what the interior point reaches
     within.tolerance = canStart ? std::max(choice.tolerance, attainable) : choice.tolerance;

@@ -18,7 +18,8 @@ struct FlowSolution
     bool isBalanced;                 ///< its displacements are those that its forces give the blocks
 };
 
-/// Error allowed in mu |u_t| [m]: see solveThetaStep.
+/// Error allowed in mu |u_t| [m]: for the first programs that of their tolerance, then a share of what the
+/// step changes the motion by, and after many a larger one. Of an impact all are velocities [m/s].
 template<int Dim>
 double allowedFlowError(const FlowSolution& solution, const StepSettings& settings);
 

@@ -52,12 +52,13 @@ StepProgram<Dim> closedWithin(const StepProgram<Dim>& program, const StepSetting
     return closed;
 }
 
+/// The forces nearest to those of a program, at the points where these press, that balance its loads: one
+/// factorisation, which is counted on the step. \return as many; empty where none balance them
 template<int Dim>
-Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
-                const StepSettings& settings, ThetaStep& step)
+Eigen::VectorXd balancedForces(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
+                               double tolerance, ThetaStep& step)
 {
     constexpr double shareOfTolerance = 0.1;
-    const StepProgram<Dim> closed = closedWithin(program, settings);
     std::vector<int> pressing;
     StepProgram<Dim> carried;
     carried.bodies = program.bodies;
@@ -71,22 +72,31 @@ Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactF
             carried.friction.push_back(program.friction[static_cast<std::size_t>(point)]);
         }
     }
+    SymbolicAnalysis symbolic;
+    const Eigen::VectorXd holding = nearestForces(carried, takenFrom<Dim>(pressing, contactForce),
+                                                  shareOfTolerance * tolerance, symbolic);
+    ++step.factorisations;
+    if (holding.size() == 0)
+    {
+        return {};
+    }
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(contactForce.size());
+    putInto<Dim>(pressing, holding, forces);
+    return forces;
+}
+
+template<int Dim>
+Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
+                const StepSettings& settings, ThetaStep& step)
+{
+    const StepProgram<Dim> closed = closedWithin(program, settings);
     Rest rest = restWith(closed, contactForce);
     if (rest.certificate.worst() <= settings.solver.tolerance)
     {
         return rest;
     }
-    SymbolicAnalysis symbolic;
-    const Eigen::VectorXd holding = nearestForces(carried, takenFrom<Dim>(pressing, contactForce),
-                                                  shareOfTolerance * settings.solver.tolerance, symbolic);
-    ++step.factorisations;
-    if (holding.size() == 0)
-    {
-        return rest;
-    }
-    Eigen::VectorXd forces = Eigen::VectorXd::Zero(contactForce.size());
-    putInto<Dim>(pressing, holding, forces);
-    return restWith(closed, forces);
+    const Eigen::VectorXd forces = balancedForces(program, contactForce, settings.solver.tolerance, step);
+    return forces.size() > 0 ? restWith(closed, forces) : rest;
 }
 
 template<int Dim>
@@ -149,11 +159,22 @@ bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const SolverC
     Rest rest = restWith(program, solution.contactForce);
     SolverChoice closer = solver;
     closer.tolerance = std::max(closest, 0.1 * solver.tolerance * solver.tolerance);
-    closer.isNearTried = Dim == 2; // round cones keep no digits of a start
+    if (Dim == 3 && solver.solver == SolverType::automatic)
+    {
+        // 15 to 20 factorisations, where multipliers from a start take hundreds as cones are round.
+        closer.solver = SolverType::interiorPoint;
+    }
     if (rest.certificate.worst() > solver.tolerance && rest.certificate.worst() <= nearly
         && closer.tolerance < solver.tolerance && solver.solver != SolverType::gaussSeidel)
     {
-        rest = restWith(program, solveCounted(step, program, closer, solution, symbolic).contactForce);
+        const ConeSolution close = solveCounted(step, program, closer, solution, symbolic);
+        rest = restWith(program, close.contactForce);
+        if (Dim == 3 && rest.certificate.worst() > solver.tolerance && rest.certificate.worst() <= nearly)
+        {
+            const Eigen::VectorXd forces =
+                balancedForces(program, close.contactForce, solver.tolerance, step);
+            rest = forces.size() > 0 ? restWith(program, forces) : std::move(rest);
+        }
     }
     return comesToRest(step, program, std::move(rest), solver.tolerance);
 }
