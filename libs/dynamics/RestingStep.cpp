@@ -52,13 +52,13 @@ StepProgram<Dim> closedWithin(const StepProgram<Dim>& program, const StepSetting
     return closed;
 }
 
-/// The forces nearest to those of a program, at the points where these press, that balance its loads: one
-/// factorisation, which is counted on the step. \return as many; empty where none balance them
+/// Rest with the forces nearest to those of another, at the points where these press, that balance the loads:
+/// one factorisation, which is counted on the step. \return the other rest where none balance them
 template<int Dim>
-Eigen::VectorXd balancedForces(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
-                               double tolerance, ThetaStep& step)
+Rest balanced(const StepProgram<Dim>& program, Rest rest, double tolerance, ThetaStep& step)
 {
     constexpr double shareOfTolerance = 0.1;
+    const Eigen::VectorXd& contactForce = rest.solution.contactForce;
     std::vector<int> pressing;
     StepProgram<Dim> carried;
     carried.bodies = program.bodies;
@@ -78,11 +78,11 @@ Eigen::VectorXd balancedForces(const StepProgram<Dim>& program, const Eigen::Vec
     ++step.factorisations;
     if (holding.size() == 0)
     {
-        return {};
+        return rest;
     }
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(contactForce.size());
     putInto<Dim>(pressing, holding, forces);
-    return forces;
+    return restWith(program, forces);
 }
 
 template<int Dim>
@@ -91,12 +91,9 @@ Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactF
 {
     const StepProgram<Dim> closed = closedWithin(program, settings);
     Rest rest = restWith(closed, contactForce);
-    if (rest.certificate.worst() <= settings.solver.tolerance)
-    {
-        return rest;
-    }
-    const Eigen::VectorXd forces = balancedForces(program, contactForce, settings.solver.tolerance, step);
-    return forces.size() > 0 ? restWith(closed, forces) : rest;
+    return rest.certificate.worst() <= settings.solver.tolerance
+               ? rest
+               : balanced(closed, std::move(rest), settings.solver.tolerance, step);
 }
 
 template<int Dim>
@@ -157,6 +154,8 @@ bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const SolverC
 {
     const double nearly = std::sqrt(solver.tolerance);
     Rest rest = restWith(program, solution.contactForce);
+    const auto isNearlyRest = [&]
+    { return rest.certificate.worst() > solver.tolerance && rest.certificate.worst() <= nearly; };
     SolverChoice closer = solver;
     closer.tolerance = std::max(closest, 0.1 * solver.tolerance * solver.tolerance);
     if (Dim == 3 && solver.solver == SolverType::automatic)
@@ -164,16 +163,12 @@ bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const SolverC
         // 15 to 20 factorisations, where multipliers from a start take hundreds as cones are round.
         closer.solver = SolverType::interiorPoint;
     }
-    if (rest.certificate.worst() > solver.tolerance && rest.certificate.worst() <= nearly
-        && closer.tolerance < solver.tolerance && solver.solver != SolverType::gaussSeidel)
+    if (isNearlyRest() && closer.tolerance < solver.tolerance && solver.solver != SolverType::gaussSeidel)
     {
-        const ConeSolution close = solveCounted(step, program, closer, solution, symbolic);
-        rest = restWith(program, close.contactForce);
-        if (Dim == 3 && rest.certificate.worst() > solver.tolerance && rest.certificate.worst() <= nearly)
+        rest = restWith(program, solveCounted(step, program, closer, solution, symbolic).contactForce);
+        if (Dim == 3 && isNearlyRest())
         {
-            const Eigen::VectorXd forces =
-                balancedForces(program, close.contactForce, solver.tolerance, step);
-            rest = forces.size() > 0 ? restWith(program, forces) : std::move(rest);
+            rest = balanced(program, std::move(rest), solver.tolerance, step);
         }
     }
     return comesToRest(step, program, std::move(rest), solver.tolerance);

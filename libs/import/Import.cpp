@@ -86,8 +86,7 @@ template<int Dim>
 std::pair<ImportedFile, ImportFormat> open(const Import<Dim>& settings, const fs::path& caseDirectory,
                                            const SourceLocation& place)
 {
-    const fs::path given(settings.file);
-    const fs::path file = given.is_absolute() ? given : caseDirectory / given;
+    const fs::path file = caseDirectory / settings.file; // or the file, where it is absolute
     const ImportFormat format =
         settings.format == ImportFormat::automatic ? byEnding(file, place) : settings.format;
     if (isDrawing(format) != (Dim == 2))

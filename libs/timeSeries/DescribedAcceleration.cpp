@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// What the summaries of all types of ground acceleration begin with, and where their files are.
+/// What the summaries of all types of ground acceleration begin with.
 #include "timeSeries/DescribedAcceleration.h"
 
 #include <fmt/format.h>
@@ -10,11 +10,6 @@ namespace drystone
 std::string typeLine(const std::string& type)
 {
     return fmt::format("    type        {}\n", type);
-}
-
-std::filesystem::path inCase(const std::filesystem::path& file, const std::filesystem::path& caseDirectory)
-{
-    return file.is_absolute() ? file : caseDirectory / file;
 }
 
 } // namespace drystone

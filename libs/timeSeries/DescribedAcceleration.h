@@ -4,7 +4,6 @@
 
 #include "timeSeries/GroundAcceleration.h"
 
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -25,8 +24,5 @@ inline constexpr double strongestGround = 40;
 
 /// The first line of a summary.
 std::string typeLine(const std::string& type);
-
-/// A file that a dictionary names: absolute, or relative to the case directory.
-std::filesystem::path inCase(const std::filesystem::path& file, const std::filesystem::path& caseDirectory);
 
 } // namespace drystone

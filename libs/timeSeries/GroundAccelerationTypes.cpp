@@ -175,7 +175,7 @@ DescribedAcceleration accelerationOfTable(const TableSettings& settings, const S
                                           const std::filesystem::path& caseDirectory)
 {
     const bool fromFile = !settings.file.empty();
-    const std::filesystem::path file = inCase(settings.file, caseDirectory);
+    const std::filesystem::path file = caseDirectory / settings.file;
     const TableFile table = fromFile ? readTable(file) : TableFile{settings.values};
     std::vector<double> times;
     std::vector<double> accelerations;
@@ -217,7 +217,7 @@ AccelerationMaker makeTable(const TableSettings& settings, const Dictionary& dic
     {
         if (!settings.file.empty())
         {
-            requireFile(inCase(settings.file, caseDirectory), location);
+            requireFile(caseDirectory / settings.file, location);
         }
         return accelerationOfTable(settings, location, caseDirectory);
     };
@@ -227,7 +227,7 @@ AccelerationMaker makeRecord(const RecordMotion& settings, const Dictionary& dic
 {
     return [settings, location = dictionary.locationOf("file")](const std::filesystem::path& caseDirectory)
     {
-        requireFile(inCase(settings.file, caseDirectory), location);
+        requireFile(caseDirectory / settings.file, location);
         return recordedAcceleration(settings, caseDirectory);
     };
 }

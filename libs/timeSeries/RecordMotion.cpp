@@ -192,7 +192,7 @@ void declare(Options& options, RecordMotion& settings)
 DescribedAcceleration recordedAcceleration(const RecordMotion& motion,
                                            const std::filesystem::path& caseDirectory)
 {
-    const std::filesystem::path file = inCase(motion.file, caseDirectory);
+    const std::filesystem::path file = caseDirectory / motion.file;
     try
     {
         return preparedRecord(motion, file);

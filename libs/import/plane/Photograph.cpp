@@ -236,8 +236,7 @@ void declare(Options& options, Photograph& photograph)
 Assembly<2> makeAssembly(const Photograph& photograph, const std::filesystem::path& caseDirectory,
                          const SourceLocation& place, const SourceLocation& placeOfPoints)
 {
-    const std::filesystem::path given(photograph.file);
-    const std::filesystem::path path = given.is_absolute() ? given : caseDirectory / given;
+    const std::filesystem::path path = caseDirectory / photograph.file; // or the file, where it is absolute
     requireFile(path, place);
     const ImportedFile file = readSource(path);
     const Raster<std::uint8_t> picture = readPng(file);
