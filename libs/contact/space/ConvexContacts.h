@@ -45,6 +45,14 @@ enum class SharedEdge
     doesNotTouch  ///< apart, unless both faces have nearly one direction, as those of a ridge
 };
 
+/// What edges are taken for that part solids nearly along the normal of a face (0.1 rad), where the solids
+/// are in each other.
+enum class EdgesAlongFaces
+{
+    edges, ///< one point where they cross
+    faces  ///< of joints that are pressed in by more than edges differ from faces: all corners of the patch
+};
+
 /// \param tolerance [m] \param sharedEdge ends with `isAnEdgeAtMost` where that is what they are
 PartingAxis partingAxis(const ConvexSolid& first, const ConvexSolid& second, double tolerance,
                         SharedEdge sharedEdge);
@@ -54,6 +62,7 @@ PartingAxis partingAxis(const ConvexSolid& first, const ConvexSolid& second, dou
 /// other, and crossings of their edges; across two edges the point where they cross. None where the polygon
 /// is narrower than the tolerance. \param axis of the solids here or where they are a little before
 std::vector<ConvexContact> contactsAlong(const PartingAxis& axis, const ConvexSolid& first,
-                                         const ConvexSolid& second, double tolerance);
+                                         const ConvexSolid& second, double tolerance,
+                                         EdgesAlongFaces edgesAlongFaces);
 
 } // namespace drystone
