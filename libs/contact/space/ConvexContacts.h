@@ -3,6 +3,7 @@
 /// MovingContacts.
 #pragma once
 
+#include "contact/MovingContacts.h"
 #include "contact/space/ConvexSolid.h"
 
 #include <vector>
@@ -43,14 +44,6 @@ enum class SharedEdge
     mayTouch,     ///< as any others
     rimsMayTouch, ///< apart where the faces are across each other: one may rock on the rim of the other
     doesNotTouch  ///< apart, unless both faces have nearly one direction, as those of a ridge
-};
-
-/// What edges are taken for that part solids nearly along the normal of a face (0.1 rad), where the solids
-/// are in each other.
-enum class EdgesAlongFaces
-{
-    edges, ///< one point where they cross
-    faces  ///< of joints that are pressed in by more than edges differ from faces: all corners of the patch
 };
 
 /// \param tolerance [m] \param sharedEdge ends with `isAnEdgeAtMost` where that is what they are

@@ -135,8 +135,7 @@ MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingCont
       blockSize(meanBlockSize(structure)),
       tolerance(options.tolerance * blockSize),
       mayEnterFound(options.mayEnter * blockSize),
-      edgesAlongFaces(options.mayEnter > MovingContactOptions{}.mayEnter ? EdgesAlongFaces::faces
-                                                                         : EdgesAlongFaces::edges)
+      edgesAlongFaces(options.edgesAlongFaces)
 {
     for (const Block<3>& block : assembly.blocks)
     {

@@ -205,10 +205,10 @@ private:
     std::vector<double> radii; ///< of each block about its mass centre [m]
     std::vector<char> isLeftOut;
     double blockSize = 1;
-    double tolerance = 1e-6;         ///< [m]
-    std::vector<double> tolerances;  ///< of each block: no less than its faces are uneven by [m]
-    double mayEnterFound;            ///< [m]
-    EdgesAlongFaces edgesAlongFaces; ///< of elastic joints, which may enter deeper, faces
+    double tolerance = 1e-6;        ///< [m]
+    std::vector<double> tolerances; ///< of each block: no less than its faces are uneven by [m]
+    double mayEnterFound;           ///< [m]
+    EdgesAlongFaces edgesAlongFaces;
 
     // Of the last update.
     std::vector<ContactPoint<3>> points;
