@@ -13,6 +13,14 @@
 namespace drystone
 {
 
+/// What edges are taken for that part solids nearly along the normal of a face (0.1 rad), where the solids
+/// are in each other.
+enum class EdgesAlongFaces
+{
+    edges, ///< one point where they cross
+    faces  ///< of joints that are pressed in by more than edges differ from faces: all corners of the patch
+};
+
 /// How finely contacts in motion are distinguished. The defaults suit every case known.
 struct MovingContactOptions
 {
@@ -21,6 +29,7 @@ struct MovingContactOptions
     /// How far blocks may enter each other in a step, relative to the mean block size. Rigid ones do by
     /// errors only, elastic ones by what their joints give way.
     double mayEnter = 1e-2;
+    EdgesAlongFaces edgesAlongFaces = EdgesAlongFaces::edges; ///< in space; of elastic joints faces
 };
 
 /// By what elastic joints give way, relative to the mean block size: beyond, a block may come out on the

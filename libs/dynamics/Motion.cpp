@@ -90,7 +90,11 @@ Motion<Dim> startMotion(const DynamicCase<Dim>& scene, DynamicState<Dim> state)
     if (!scene.schemes.smallDisplacements)
     {
         MovingContactOptions options;
-        options.mayEnter = traitsOf(scene.effects).isCompliant ? mayEnterElastic : options.mayEnter;
+        if (traitsOf(scene.effects).isCompliant)
+        {
+            options.mayEnter = mayEnterElastic;
+            options.edgesAlongFaces = EdgesAlongFaces::faces;
+        }
         motion.contacts.emplace(scene.assembly, options);
         leaveOutBlocks(scene, motion);
         motion.points = motion.contacts->update(motion.state.placements, scene.roundingGap);

@@ -27,10 +27,11 @@ ConvexSolid turnedBox(const Vector<3>& size, const Vector<3>& turn, const Vector
     return placed(box(-size / 2, size / 2), Vector<3>::Zero(), {centre, turn});
 }
 
-std::vector<ConvexContact> contactsOf(const ConvexSolid& first, const ConvexSolid& second)
+std::vector<ConvexContact> contactsOf(const ConvexSolid& first, const ConvexSolid& second,
+                                      EdgesAlongFaces edgesAlongFaces = EdgesAlongFaces::edges)
 {
     return contactsAlong(partingAxis(first, second, tolerance, SharedEdge::rimsMayTouch), first, second,
-                         tolerance);
+                         tolerance, edgesAlongFaces);
 }
 
 Vector<3> placeOf(const ConvexContact& contact, const ConvexSolid& first, const ConvexSolid& second)
@@ -124,10 +125,37 @@ TEST(ConvexContacts, EdgesMeetAcrossEachOther)
         turnedBox({0.2, 2, 0.2}, {0, quarter, 0}, {0.3, 0.1, 0.2 * std::sqrt(2.0) + 0.01});
     const PartingAxis axis = partingAxis(lower, upper, tolerance, SharedEdge::rimsMayTouch);
     EXPECT_NEAR(axis.distance, 0.01, 1e-12);
-    const std::vector<ConvexContact> contacts = contactsAlong(axis, lower, upper, tolerance);
+    const std::vector<ConvexContact> contacts =
+        contactsAlong(axis, lower, upper, tolerance, EdgesAlongFaces::faces);
     ASSERT_EQ(contacts.size(), 1u);
     EXPECT_TRUE(contacts[0].isEdgeOnEdge);
     EXPECT_LE((placeOf(contacts[0], lower, upper) - Vector<3>(0.3, 0, 0.1 * std::sqrt(2.0))).norm(), 1e-12);
+}
+
+// Pressed into each other and a little tilted, as by elastic joints: along the crossing of two edges the
+// boxes enter each other least, if by less than 1 mm, and it was the only point, with the force of all.
+TEST(ConvexContacts, FacesPressedIntoEachOtherHaveAllTheirCorners)
+{
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> symmetric(-1, 1);
+    const ConvexSolid lower = box({-0.2, -0.15, 0}, {0.2, 0.15, 0.6});
+    for (int trial = 0; trial < 200; ++trial)
+    {
+        const Vector<3> tilt = 3e-3 * Vector<3>(symmetric(random), symmetric(random), 0);
+        const Vector<3> shift(5e-3 * symmetric(random), 5e-3 * symmetric(random), 0.898);
+        const ConvexSolid upper = turnedBox({0.4, 0.3, 0.6}, tilt + Vector<3>(0, 0, 0.3), shift);
+        std::vector<Vector<3>> places;
+        for (const ConvexContact& contact : contactsOf(lower, upper, EdgesAlongFaces::faces))
+        {
+            const Vector<3> place = placeOf(contact, lower, upper);
+            const auto isThere = [&](const Vector<3>& other) { return (other - place).norm() < 1e-3; };
+            if (std::abs(place.z() - 0.6) < 0.01 && std::none_of(places.begin(), places.end(), isThere))
+            {
+                places.push_back(place);
+            }
+        }
+        EXPECT_EQ(places.size(), 8u) << trial;
+    }
 }
 
 TEST(ConvexContacts, ACornerAboveAFaceIsOne)
@@ -138,7 +166,8 @@ TEST(ConvexContacts, ACornerAboveAFaceIsOne)
     const ConvexSolid cube = turnedBox({1, 1, 1}, turn, {0, 0, std::sqrt(0.75) + 1e-3});
     const PartingAxis axis = partingAxis(floor, cube, tolerance, SharedEdge::rimsMayTouch);
     EXPECT_NEAR(axis.distance, 1e-3, 1e-12);
-    const std::vector<ConvexContact> contacts = contactsAlong(axis, floor, cube, tolerance);
+    const std::vector<ConvexContact> contacts =
+        contactsAlong(axis, floor, cube, tolerance, EdgesAlongFaces::faces);
     const auto lowest = std::min_element(contacts.begin(), contacts.end(),
                                          [&](const ConvexContact& a, const ConvexContact& b) {
                                              return placeOf(a, floor, cube).z() < placeOf(b, floor, cube).z();

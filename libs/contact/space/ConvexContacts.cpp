@@ -24,6 +24,9 @@ constexpr double nearlyAcross = 0.25;
 /// determined.
 constexpr double asOnePoint = 1000;
 
+/// Edges that part solids along a direction with more than this cosine to the normal of a face, 0.1 rad.
+constexpr double nearlyAlong = 0.995;
+
 /// Edges must part the solids by so many tolerances more than faces do: of a patch the edges say less.
 constexpr double edgesWorseThanFaces = 10;
 
@@ -380,6 +383,21 @@ std::vector<ConvexContact> contactOfEdges(const ConvexSolid& first, const Convex
     return {{true, edge.from, edge.to, part, other.face, axis.otherEdge, true}};
 }
 
+/// Whether two edges part the solids nearly along the normal of the face that parts them most.
+bool isAlongFace(const PartingAxis& axis, const ConvexSolid& first, const ConvexSolid& second)
+{
+    const auto directionOf = [](const ConvexSolid& solid, int index)
+    {
+        const ConvexSolid::Edge& edge = solid.edges[static_cast<std::size_t>(index)];
+        return Vector<3>(solid.vertices[static_cast<std::size_t>(edge.to)]
+                         - solid.vertices[static_cast<std::size_t>(edge.from)]);
+    };
+    const Vector<3> across = directionOf(first, axis.edge).cross(directionOf(second, axis.otherEdge));
+    const ConvexSolid& solid = axis.isOfFirst ? first : second;
+    return std::abs(across.dot(solid.normals[static_cast<std::size_t>(axis.face)]))
+           > nearlyAlong * across.norm();
+}
+
 } // namespace
 
 PartingAxis partingAxis(const ConvexSolid& first, const ConvexSolid& second, double tolerance,
@@ -394,13 +412,16 @@ PartingAxis partingAxis(const ConvexSolid& first, const ConvexSolid& second, dou
 }
 
 std::vector<ConvexContact> contactsAlong(const PartingAxis& axis, const ConvexSolid& first,
-                                         const ConvexSolid& second, double tolerance)
+                                         const ConvexSolid& second, double tolerance,
+                                         EdgesAlongFaces edgesAlongFaces)
 {
     if (axis.isAnEdgeAtMost)
     {
         return {};
     }
-    if (axis.edge >= 0)
+    const bool areFaces = edgesAlongFaces == EdgesAlongFaces::faces && axis.edge >= 0
+                          && axis.distance < -tolerance && isAlongFace(axis, first, second);
+    if (axis.edge >= 0 && !areFaces)
     {
         if (std::vector<ConvexContact> found = contactOfEdges(first, second, axis); !found.empty())
         {

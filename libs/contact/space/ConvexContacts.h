@@ -3,6 +3,7 @@
 /// MovingContacts.
 #pragma once
 
+#include "contact/MovingContacts.h"
 #include "contact/space/ConvexSolid.h"
 
 #include <vector>
@@ -54,6 +55,7 @@ PartingAxis partingAxis(const ConvexSolid& first, const ConvexSolid& second, dou
 /// other, and crossings of their edges; across two edges the point where they cross. None where the polygon
 /// is narrower than the tolerance. \param axis of the solids here or where they are a little before
 std::vector<ConvexContact> contactsAlong(const PartingAxis& axis, const ConvexSolid& first,
-                                         const ConvexSolid& second, double tolerance);
+                                         const ConvexSolid& second, double tolerance,
+                                         EdgesAlongFaces edgesAlongFaces);
 
 } // namespace drystone

@@ -261,7 +261,7 @@ MovingContacts<3>::contactsOfParts(const ConvexSolid& there, const ConvexSolid& 
     const double trusted = trustedPart * std::min(there.thickness, otherThere.thickness);
     if (axis.distance >= -trusted)
     {
-        take(contactsAlong(axis, there, otherThere, within));
+        take(contactsAlong(axis, there, otherThere, within, edgesAlongFaces));
     }
     const auto isBehind = [&](const PartContact& contact, double depth)
     {
@@ -284,10 +284,10 @@ MovingContacts<3>::contactsOfParts(const ConvexSolid& there, const ConvexSolid& 
     const ConvexSolid& here = places.here.of(block)[parts.part];
     const ConvexSolid& otherHere = places.here.of(neighbour)[parts.otherPart];
     const PartingAxis now = partingAxis(here, otherHere, within, SharedEdge::mayTouch);
-    take(contactsAlong(now, there, otherThere, within));
+    take(contactsAlong(now, there, otherThere, within, edgesAlongFaces));
     std::erase_if(contacts, [&](const PartContact& contact)
                   { return isBehind(contact, std::max(0.0, -now.distance)); });
-    take(contactsAlong(now, here, otherHere, within));
+    take(contactsAlong(now, here, otherHere, within, edgesAlongFaces));
     return contacts;
 }
 

@@ -134,7 +134,8 @@ MovingContacts<3>::MovingContacts(const Assembly<3>& structure, const MovingCont
       isLeftOut(structure.blocks.size(), false),
       blockSize(meanBlockSize(structure)),
       tolerance(options.tolerance * blockSize),
-      mayEnterFound(options.mayEnter * blockSize)
+      mayEnterFound(options.mayEnter * blockSize),
+      edgesAlongFaces(options.edgesAlongFaces)
 {
     for (const Block<3>& block : assembly.blocks)
     {

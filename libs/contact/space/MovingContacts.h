@@ -208,6 +208,7 @@ private:
     double tolerance = 1e-6;        ///< [m]
     std::vector<double> tolerances; ///< of each block: no less than its faces are uneven by [m]
     double mayEnterFound;           ///< [m]
+    EdgesAlongFaces edgesAlongFaces;
 
     // Of the last update.
     std::vector<ContactPoint<3>> points;
