@@ -16,11 +16,18 @@ namespace
 /// would neither slide nor stick makes steps without an end.
 constexpr int programsToExactFlow = 4;
 
-/// The error of mu |u_t| may be this share of what the step changes the motion by, and after so many programs
-/// the larger one: just above a threshold the fixed point is not reached closer.
+/// The error of mu |u_t| may be this share of what the step changes the motion by, and after so many
+/// programs, or where they stall, the larger one: just above a threshold the fixed point is not reached
+/// closer.
 constexpr double shareOfStep = 1e-2;
 constexpr double largerShareOfStep = 0.15;
 constexpr int programsToLargerShare = 15;
+
+/// Programs that have stalled: so many that the error of none is below this share of the least before, in
+/// which what the step changes stays within this part of itself.
+constexpr std::size_t stalledPrograms = 3;
+constexpr double shareOfError = 0.5;
+constexpr double partOfMoved = 0.1;
 
 /// Nor does an error matter that is this part of how far the loads would take the blocks without contacts: as
 /// much of g. Where little moves at first (some 1e-6 of it), a hundredth of that is less than a program
@@ -35,6 +42,23 @@ constexpr double shareOfChange = 0.3;
 constexpr double negligibleVelocity = 1e-5;
 
 } // namespace
+
+bool hasStalled(const std::vector<MissedFlow>& programs)
+{
+    if (programs.size() < programsToExactFlow - 1 + stalledPrograms)
+    {
+        return false;
+    }
+    const auto lately = programs.end() - stalledPrograms;
+    const auto byError = [](const MissedFlow& one, const MissedFlow& other)
+    { return one.error < other.error; };
+    const auto [least, most] = std::minmax_element(lately, programs.end(),
+                                                   [](const MissedFlow& one, const MissedFlow& other)
+                                                   { return one.moved < other.moved; });
+    return std::min_element(lately, programs.end(), byError)->error
+               > shareOfError * std::min_element(programs.begin(), lately, byError)->error
+           && most->moved - least->moved <= partOfMoved * most->moved;
+}
 
 template<int Dim>
 double allowedFlowError(const FlowSolution& solution, const StepSettings& settings)
@@ -54,8 +78,10 @@ double allowedFlowError(const FlowSolution& solution, const StepSettings& settin
     // block by less than some length, any force at all would do. Nor less than what a program
     // certified to its tolerance determines.
     const double farthest = farthestMotion<Dim>(step.displacement, settings.blockSize);
-    const double moved = farthestMotion<Dim>(step.displacement - solution.expected, settings.blockSize);
-    const double share = step.programs < programsToLargerShare ? shareOfStep : largerShareOfStep;
+    const double moved = solution.missed.back().moved;
+    const bool mayMissMore =
+        step.programs >= programsToLargerShare || (!isImpact && hasStalled(solution.missed));
+    const double share = mayMissMore ? largerShareOfStep : shareOfStep;
     const double small = isImpact ? std::min(shareOfChange * moved, share * farthest) : share * moved;
     const double certified = tolerance * std::max(farthest, solution.gap.template lpNorm<Eigen::Infinity>());
     const double negligible = !isImpact

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace drystone
 {
@@ -123,6 +124,7 @@ private:
     Eigen::VectorXd imposed;  ///< share of the gaps that it opens, one a point
     Eigen::VectorXd gap;      ///< of the program without that share
     AcceleratedIteration fixedPoint;
+    std::vector<MissedFlow> missed; ///< by the programs in turn
     bool isBalanced = false; ///< displacements of the last program are those that its forces give the blocks
 };
 
@@ -334,8 +336,9 @@ bool StepSearch<Dim>::meetsFlow()
     const Eigen::VectorXd opening = dilatancy(program, step.closing, step.contactForce);
     const double least = settings.solver.tolerance * step.contactForce.template lpNorm<Eigen::Infinity>();
     step.flowError = errorOfFlow<Dim>(imposed, opening, gap, step, least);
+    missed.push_back({step.flowError, farthestMotion<Dim>(step.displacement - expected, settings.blockSize)});
     const bool isMet = step.flowError <= allowedFlowError<Dim>(
-                           {step, opening, gap, expected, wayOfLoads(), isBalanced}, settings);
+                           {step, opening, gap, missed, wayOfLoads(), isBalanced}, settings);
     imposed = fixedPoint.next(imposed, opening);
     if (step.programs == programsToRestart)
     {

@@ -15,9 +15,10 @@ namespace
 {
 
 /// Iterations that begin near a solution, or inside, end soon or not at all; steps shorter than so much show
-/// early that they will not.
+/// early that they will not: near a solution in space the first of them does (TUNING.md).
 constexpr int mostFromNear = 30;
-constexpr int mostShortSteps = 3;
+template<int Rows>
+constexpr int mostShortSteps = Rows == 3 ? 3 : 0;
 constexpr int mostFromInterior = 60;
 constexpr int mostShortStepsFromInterior = 6;
 constexpr double shortStep = 0.2;
@@ -129,7 +130,7 @@ bool InteriorPointLoop<Rows, Scalar>::runNear(const Eigen::VectorXd& s, const Ei
         newton.begin(0);
         startNear(s, y, error, state);
         return iterate(narrow, Passed::left, std::min(mostFromNear, state.settings.maximumIterations),
-                       mostShortSteps);
+                       mostShortSteps<Rows>);
     }
     return false;
 }
