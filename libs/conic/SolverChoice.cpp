@@ -51,9 +51,11 @@ void declare(Options& options, SolverChoice& choice)
     options.optional("maximumSweeps", choice.maximumSweeps, "over all contact points, of gaussSeidel")
         .atLeast(1);
     options
-        .optional("maximumFactorisations", choice.maximumFactorisations,
-                  "of one step in time with all its programs and shorter attempts; programs of more than "
-                  "8 contact points a block, and sweeps (1/100), count by what they cost")
+        .optional(
+            "maximumFactorisations", choice.maximumFactorisations,
+            "of one step in time with all its programs and shorter attempts; half as many more go to a step "
+            "whose impacts had no end with them, for blocks that then stay together; programs of more "
+            "than 8 contact points a block, and sweeps (1/100), count by what they cost")
         .atLeast(1);
     options.optional("writeProgram", choice.writeProgram,
                      "which cone programs are written into postProcessing/, as solveProgram reads them");

@@ -6,6 +6,7 @@
 #include "dynamics/VerifiedStep.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace drystone
 {
@@ -22,6 +23,10 @@ StepWork allowedWork(const DynamicCase<Dim>& scene)
     return work;
 }
 
+/// What attempts without rebounds may take once more of the work that a step may, which those with rebounds
+/// have used up.
+constexpr double workWithoutRebounds = 0.5;
+
 /// Of a step that is chosen, over the last one that was.
 constexpr double mostGrowth = 1.2;
 
@@ -29,6 +34,16 @@ constexpr double mostGrowth = 1.2;
 /// anew from there; but lengths that no step has had would grow without bound at rest, and pass over the
 /// points of a record, which are distinguished from the end of a step by a part of its length.
 constexpr double mostOverStep = 10;
+
+/// The same where blocks that hit each other stay together: backward Euler without restitution, whose program
+/// is the plastic impact. It takes the energy of the rebounds, and creates none.
+template<int Dim>
+DynamicCase<Dim> withoutRebounds(DynamicCase<Dim> scene)
+{
+    scene.schemes.timeIntegration.theta = 1;
+    scene.contact.restitution.reset();
+    return scene;
+}
 
 /// Adds a step to the use of effects. \param provedBefore steps at rest before it \param since time of all
 /// stages at its start [s]
@@ -93,20 +108,33 @@ template<int Dim>
 ShortenedStep advanceOrShorten(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep)
 {
     motion.work = allowedWork(scene);
-    for (int retries = 0;; ++retries)
+    std::optional<DynamicCase<Dim>> plastic; // empty: blocks rebound, if they do
+    double length = timeStep;
+    int retries = 0;
+    while (true)
     {
-        const bool isSolved = advanceInParts(scene, motion, timeStep);
+        const bool isSolved = advanceInParts(plastic ? *plastic : scene, motion, length);
         motion.attempt.retries = retries;
         if (isSolved)
         {
             motion.residuals.retries = retries;
-            return {true, timeStep};
+            motion.residuals.isWithoutRebounds = plastic.has_value();
+            return {true, length};
         }
-        if (retries == mostHalvings || motion.work.isUsedUp())
+        if (retries < mostHalvings && !motion.work.isUsedUp())
         {
-            return {false, timeStep};
+            length /= 2;
+            ++retries;
+            continue;
         }
-        timeStep /= 2;
+        if (plastic || !hasImpacts(scene))
+        {
+            return {false, length};
+        }
+        plastic = withoutRebounds(scene);
+        motion.work.most = motion.work.done + workWithoutRebounds * motion.work.most;
+        length = timeStep;
+        retries = 0;
     }
 }
 

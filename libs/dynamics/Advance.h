@@ -42,8 +42,11 @@ struct ShortenedStep
 };
 
 /// One step; one that is not solved is tried again half as long, up to ten times and as long as
-/// `maximumFactorisations` allow for. The retries are in `motion.attempt`, and in `motion.residuals` of a
-/// step that was solved. Nothing else changes in a motion whose step was not.
+/// `maximumFactorisations` allow for. With restitution or theta below 1 such a step is then tried, from
+/// its whole length on, by theta 1 without restitution, so that blocks which do not stop hitting each other
+/// stay together, and `motion.residuals` say so; half of `maximumFactorisations` once more is for that. The
+/// retries are in `motion.attempt`, and in `motion.residuals` of a step that was solved. Nothing else changes
+/// in a motion whose step was not.
 template<int Dim>
 ShortenedStep advanceOrShorten(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep);
 

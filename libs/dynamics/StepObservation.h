@@ -43,9 +43,10 @@ struct StepResiduals
     int iterations = 0;
     int factorisations = 0;
     int programs = 0;     ///< cone programs solved for the step: more than one with non-associative friction
-    int retries = 0;      ///< attempts that did not converge before this one
+    int retries = 0;      ///< times that it was halved, as it was not solved
     double flowError = 0; ///< of Coulomb's law: by how much mu |u_t| is missed where a point slides [m]
-    double overlookedDepth = 0; ///< of blocks in each other at the end, where no point was foreseen [m]
+    bool isWithoutRebounds = false; ///< impacts one after the other had no end: see advanceOrShorten
+    double overlookedDepth = 0;     ///< of blocks in each other at the end, where no point was foreseen [m]
     StepFault fault = StepFault::none; ///< of an attempt that is not taken
 
     double worst() const { return std::max({primalResidual, dualResidual, dualityGap}); }

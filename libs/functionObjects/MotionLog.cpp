@@ -141,6 +141,10 @@ std::vector<std::string> eventsOf(const DynamicCase<Dim>& scene, const Motion<Di
             "Restitution: {:.3g} instead of {:g} in an impact, where friction and more would create energy",
             motion.restitutionShare * scene.restitution(), scene.restitution()));
     }
+    if (residuals.isWithoutRebounds)
+    {
+        events.push_back("Blocks that hit each other stay together: impacts one after the other had no end");
+    }
     if (residuals.retries > 0)
     {
         events.push_back(

@@ -45,6 +45,10 @@ void MotionSummary<Dim>::observe(const DynamicState<Dim>& state, const StepResid
     {
         missedFlow.add(residuals.flowError, state.time);
     }
+    if (residuals.isWithoutRebounds)
+    {
+        withoutRebounds.add(0, state.time);
+    }
     if (overlooksContacts(scene, residuals.overlookedDepth))
     {
         overlookedContacts.add(residuals.overlookedDepth, state.time);
@@ -154,6 +158,16 @@ std::string MotionSummary<Dim>::overlookedContactsLine() const
 }
 
 template<int Dim>
+std::string MotionSummary<Dim>::withoutReboundsLine() const
+{
+    return fmt::format(
+        "Blocks that hit each other stay together in {} of {} steps, the first at {:.4g} s, as "
+        "by theta 1 without restitution: impacts one after the other had no end within "
+        "maximumFactorisations",
+        withoutRebounds.count, steps, withoutRebounds.timeOfFirst);
+}
+
+template<int Dim>
 std::vector<std::string> MotionSummary<Dim>::lines(const DynamicState<Dim>& last) const
 {
     if (steps == 0)
@@ -175,6 +189,10 @@ std::vector<std::string> MotionSummary<Dim>::lines(const DynamicState<Dim>& last
     if (overlookedContacts.count > 0)
     {
         text.push_back(overlookedContactsLine());
+    }
+    if (withoutRebounds.count > 0)
+    {
+        text.push_back(withoutReboundsLine());
     }
     return text;
 }

@@ -57,7 +57,8 @@ public:
     /// `Largest displacement: 0.0402 m, block 12, at 1.34 s`, and whether the blocks rest at the end, have
     /// come to rest, or move. They rest when all are slower than restSpeed, and have been for so long that
     /// this is no turning point of a block that rocks. Then, where steps miss Coulomb's law, how many do, and
-    /// by how much, and likewise where they overlook contacts. None before the first step.
+    /// by how much, and likewise where they overlook contacts or have no rebounds. None before the first
+    /// step.
     std::vector<std::string> lines(const DynamicState<Dim>& last) const;
 
     /// With `smallDisplacements yes;`: that a block has moved or turned so far that contact points and lever
@@ -76,6 +77,7 @@ private:
     std::string farBlocksLine(const DynamicState<Dim>& last) const;
     std::string missedFlowLine() const;
     std::string overlookedContactsLine() const;
+    std::string withoutReboundsLine() const;
 
     const DynamicCase<Dim>& scene;
     double largest = 0; ///< [m]
@@ -89,6 +91,7 @@ private:
     int steps = 0;                   ///< observed
     StepsInError missedFlow;         ///< by dilatancy, see missesFlow
     StepsInError overlookedContacts; ///< by depth, see overlooksContacts
+    StepsInError withoutRebounds;    ///< see StepResiduals, without an error that is measured
 };
 
 } // namespace drystone

@@ -429,6 +429,31 @@ TEST(RubbleByCoulombsLaw, IsFollowedAlsoWhereStagesDoNotArrive)
     EXPECT_LE(byPrograms, 2);
 }
 
+// Impacts one after the other, more than a step may take: the run ended there, as that of a colonnade of 31
+// blocks did with restitution or theta 0.5.
+TEST(FallingWall, FallsOnWithoutReboundsWhereImpactsAreMoreThanAStepMayTake)
+{
+    DynamicCase<2> scene =
+        wall(1, 1.1, {.mu = 0.65, .flowRule = FlowRule::associative, .restitution = 0.3, .tolerance = 1e-9});
+    scene.solution.maximumFactorisations = 300; // one impact of this wall takes some 70
+    Motion<2> motion = startMotion(scene, stateAtRest(scene.assembly));
+    TimeControls controls;
+    controls.deltaT = wallStep;
+    controls.endTime = 200 * wallStep;
+    Time time(controls, {0, wallStep});
+    int withoutRebounds = 0;
+    int steps = 0;
+    while (time.loop())
+    {
+        ASSERT_TRUE(advance(scene, motion, time)) << "at " << motion.state.time << " s";
+        withoutRebounds += motion.residuals.isWithoutRebounds;
+        ++steps;
+    }
+    EXPECT_GT(withoutRebounds, 0);
+    EXPECT_LT(withoutRebounds, steps); // the next steps have rebounds again
+    EXPECT_LE(motion.created, 1e-6 * motion.largestKinetic);
+}
+
 /// Blocks that fly 7 m in a step of theirs, where the gaps of 40,000 points are anything but linear: 25 steps
 /// took more than two minutes, most of them in attempts that came to nothing.
 TEST(WallUnderAnAbsurdAcceleration, IsSolvedOrGivenUpWithinTheWorkAllowed)
