@@ -571,6 +571,13 @@ TEST(GltfText, FarFromTheOriginBlocksKeepTheirShape)
     }
 }
 
+TEST(GltfText, NamesOfLayersAreThoseOfTheDictionary)
+{
+    const std::string name = "left\\new";
+    const JsonValue gltf = parseJson(gltfText({{makeBox({0, 0, 0}, {1, 1, 1}), name}}));
+    EXPECT_EQ(*(*gltf.find("nodes")->asList())[0].find("extras")->find("layer")->asText(), name);
+}
+
 /// The numbers in a text, with all else between them.
 std::vector<double> numbersIn(std::string text)
 {

@@ -126,6 +126,17 @@ Vector<3> originOf(const std::vector<ExportedSolid>& solids)
     return isFar ? Vector<3>(centre.array().round()) : Vector<3>::Zero();
 }
 
+/// A name as JSON has it between quotes; those of dictionaries have no control characters.
+std::string escaped(const std::string& name)
+{
+    std::string text;
+    for (const char c : name)
+    {
+        text += c == '\\' || c == '"' ? std::string{'\\', c} : std::string{c};
+    }
+    return text;
+}
+
 std::string translationOf(const Vector<3>& place)
 {
     return fmt::format(R"(,"translation":[{},{},{}])", place.x() + 0.0, place.y() + 0.0, place.z() + 0.0);
@@ -237,7 +248,8 @@ std::string gltfText(const std::vector<ExportedSolid>& solids, const std::vector
                        separator, positions, normals, solids[i].isFixed ? 1 : 0);
         fmt::format_to(std::back_inserter(nodes),
                        R"({}{{"name":"block_{}","mesh":{}{},"extras":{{"layer":"{}"}}}})", separator, i, i,
-                       frames.empty() ? "" : translationOf(upright(centres[i] - origin)), solids[i].layer);
+                       frames.empty() ? "" : translationOf(upright(centres[i] - origin)),
+                       escaped(solids[i].layer));
         fmt::format_to(std::back_inserter(children), "{}{}", i > 0 ? "," : "", i);
     }
     if (!origin.isZero()) // one more node moves them all to where they are
