@@ -435,6 +435,7 @@ TEST(Sampler, ATableMayHaveCommasAndAFirstLineForAHeading)
     {
         EXPECT_EQ(rowsOf(text), "1|2 3|4 ") << text;
     }
+    EXPECT_EQ(rowsOf("# v1 v0\n\"b 2.dxf\" a.dxf\n"), "a.dxf|b 2.dxf ");
     EXPECT_THROW(rowsOf("v1,v0\n2,1,7\n"), FatalIOError);
     try
     {
