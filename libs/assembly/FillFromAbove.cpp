@@ -147,7 +147,8 @@ double FillFromAbove<Dim>::firstBlockAlong(const std::vector<std::size_t>& among
         for (std::size_t i = 0; i + 1 < places.size() && places[i] < first; ++i)
         {
             const Vector<Dim> middle = from + (places[i] + places[i + 1]) / 2 * direction;
-            if (places[i] >= 0 && distanceFrom(assembly.blocks[block], middle) == 0
+            // A ray within a joint is in neither of its blocks, and nothing comes through it.
+            if (places[i] >= 0 && distanceFrom(assembly.blocks[block], middle) <= width
                 && places[i + 1] - places[i] > width)
             {
                 first = places[i];

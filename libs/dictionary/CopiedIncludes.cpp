@@ -10,33 +10,42 @@ namespace drystone
 namespace
 {
 
-/// Calls use(name) for the name of every file that statements include, in the order of the text.
+/// From where a name leads to its file.
+enum class NamedFrom
+{
+    folderOfFile, ///< an include
+    caseDirectory ///< a drawing, solids, a record: an entry `file`
+};
+
+/// Calls use(name, from) for the name of every file that statements include, or that their entries `file`
+/// name, in the order of the text. Names with folders stand between quotes.
 template<class Use>
-void forIncludedNames(const std::vector<Statement>& statements, const Use& use)
+void forNamesOfFiles(const std::vector<Statement>& statements, const Use& use)
 {
     for (const Statement& statement : statements)
     {
         const Token* before = &statement.keyword;
         for (const Token& token : statement.value)
         {
-            if (isInclude(*before) && token.kind == TokenKind::string)
+            const bool isOfEntry = before == &statement.keyword && before->text == "file";
+            if (token.kind == TokenKind::string && (isInclude(*before) || isOfEntry))
             {
-                use(token.text);
+                use(token.text, isOfEntry ? NamedFrom::caseDirectory : NamedFrom::folderOfFile);
             }
             before = &token;
         }
-        forIncludedNames(statement.body, use);
-        forIncludedNames(statement.otherwise, use);
+        forNamesOfFiles(statement.body, use);
+        forNamesOfFiles(statement.otherwise, use);
     }
 }
 
 } // namespace
 
-std::string withIncludesFromOutside(const std::string& text, const std::filesystem::path& file,
-                                    const std::filesystem::path& caseDirectory)
+std::string withFilesFromOutside(const std::string& text, const std::filesystem::path& file,
+                                 const std::filesystem::path& caseDirectory)
 {
     namespace fs = std::filesystem;
-    if (text.find("include") == std::string::npos || text.find("..") == std::string::npos)
+    if (text.find("..") == std::string::npos)
     {
         return text;
     }
@@ -47,18 +56,19 @@ std::string withIncludesFromOutside(const std::string& text, const std::filesyst
         const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
         const fs::path ofCase = (fs::absolute(caseDirectory) / "").lexically_normal().parent_path();
         std::size_t grown = 0;
-        forIncludedNames(
-            parseStatements(source),
-            [&](std::string_view name)
-            {
-                const fs::path path = (folder / name).lexically_normal();
-                if (name.starts_with("..") && path.lexically_relative(ofCase).string().starts_with(".."))
-                {
-                    const auto place = static_cast<std::size_t>(name.data() - source.text.data());
-                    result.replace(place + grown, name.size(), path.string());
-                    grown += path.string().size() - name.size();
-                }
-            });
+        forNamesOfFiles(parseStatements(source),
+                        [&](std::string_view name, NamedFrom from)
+                        {
+                            const fs::path& start = from == NamedFrom::folderOfFile ? folder : ofCase;
+                            const fs::path path = (start / name).lexically_normal();
+                            if (name.starts_with("..")
+                                && path.lexically_relative(ofCase).string().starts_with(".."))
+                            {
+                                const auto place = static_cast<std::size_t>(name.data() - source.text.data());
+                                result.replace(place + grown, name.size(), path.string());
+                                grown += path.string().size() - name.size();
+                            }
+                        });
     }
     catch (const FatalError&)
     {

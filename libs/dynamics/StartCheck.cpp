@@ -8,6 +8,7 @@
 #include "contact/Penetration.h"
 #include "core/Degrees.h"
 #include "core/Log.h"
+#include "geometry/WholeMetres.h"
 
 #include <fmt/format.h>
 
@@ -185,13 +186,9 @@ void questionDigits(const DynamicCase<Dim>& scene)
 {
     constexpr double noticeable =
         1e-3; // of the error allowed in gaps: a wall has moved by 2e-5 m of 4 cm otherwise
-    double largest = 0;
-    for (const Block<Dim>& block : scene.assembly.blocks)
-    {
-        const Box<Dim> box = boundingBox(block);
-        largest = std::max({largest, box.lower.template lpNorm<Eigen::Infinity>(),
-                            box.upper.template lpNorm<Eigen::Infinity>()});
-    }
+    const Box<Dim> whole = boundingBox(scene.assembly);
+    const double largest = std::max(whole.lower.template lpNorm<Eigen::Infinity>(),
+                                    whole.upper.template lpNorm<Eigen::Infinity>());
     const double next = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
     const double allowed = scene.schemes.contactTolerance * scene.blockSize;
     if (scene.mass.size() == 0)
@@ -201,12 +198,14 @@ void questionDigits(const DynamicCase<Dim>& scene)
     }
     else if (next > noticeable * allowed)
     {
-        printWarning(fmt::format("Coordinates of up to {:.3g} m have neighbours {:.1e} m apart, {:.2g} of "
-                                 "the error that contactTolerance "
-                                 "allows in gaps ({:.1e} m): steps may find no solution, or another. Take a "
-                                 "constant off all coordinates of "
-                                 "the structure, as off those of a map, so that it is near 0.",
-                                 largest, next, next / allowed, allowed));
+        printWarning(fmt::format(
+            "Coordinates of up to {:.3g} m have neighbours {:.1e} m apart, {:.2g} of "
+            "the error that contactTolerance "
+            "allows in gaps ({:.1e} m): steps may find no solution, or another. Take a "
+            "constant off all coordinates of "
+            "the structure, as off those of a map, so that it is near 0: for an imported "
+            "file `offset {};` in the texture of system/blockTextureDict does.",
+            largest, next, next / allowed, allowed, inWholeMetres<Dim>(-(whole.lower + whole.upper) / 2)));
     }
 }
 

@@ -46,7 +46,7 @@ void copyFile(const fs::path& file, const fs::path& to, const fs::path& caseDire
     {
         std::ifstream stream(file, std::ios::binary);
         const std::string text{std::istreambuf_iterator<char>(stream), {}};
-        const std::string there = withIncludesFromOutside(text, file, caseDirectory);
+        const std::string there = withFilesFromOutside(text, file, caseDirectory);
         if (there != text)
         {
             writeWholeFile(to, there);

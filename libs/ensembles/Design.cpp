@@ -47,7 +47,8 @@ void declare(Options& options, DesignTableSettings& settings)
     options
         .required(
             "file", settings.design.file,
-            "a row a sample; the last comment line names the columns, those of the variables among them")
+            "a row a sample, with blanks, commas or semicolons between its values; the last comment line, or "
+            "without one the first line, names the columns, those of the variables among them")
         .example("\"constant/samples.dat\"");
 }
 

@@ -92,7 +92,7 @@ Assembly<Dim> SampleCase::assemblyOf(const Dictionary& dictionary) const
     {
         return readAssembly<Dim>(ensemble.caseDirectory);
     }
-    Assembly<Dim> assembly = makeStructure<Dim>(dictionary);
+    Assembly<Dim> assembly = makeStructure<Dim>(dictionary, ensemble.caseDirectory);
     closeJoints(assembly);
     return assembly;
 }
@@ -101,8 +101,8 @@ template<int Dim>
 void SampleCase::build(const Dictionary& texture)
 {
     const fs::path& directory = ensemble.caseDirectory;
-    files.set(assemblyFile(directory),
-              assemblyText(makeStructure<Dim>(texture), originOf(directory / textureFile, directory)));
+    files.set(assemblyFile(directory), assemblyText(makeStructure<Dim>(texture, directory),
+                                                    originOf(directory / textureFile, directory)));
 }
 
 Dictionary SampleCase::dictionaryOfBlocks() const

@@ -27,13 +27,45 @@ std::vector<std::size_t> columnsOfVariables(const std::vector<std::string>& colu
         const std::optional<std::size_t> place = findColumn(columns, name);
         if (!place)
         {
-            throw FatalIOError(fmt::format("{} has no column {}.\n\nIts columns: {}", design.file, name,
-                                           fmt::join(columns, " ")),
+            throw FatalIOError(fmt::format("{} has no column {}. The last comment before its rows names "
+                                           "them, or without one the first line.\n\nIts columns: {}",
+                                           design.file, name, fmt::join(columns, " ")),
                                design.location);
         }
         places.push_back(*place);
     }
     return places;
+}
+
+/// What stands between the cells of a table: what stands between the names of its columns, in the last
+/// comment before its first row, or without one in its first line.
+char separatorOf(std::istream& table)
+{
+    std::string heading;
+    for (TableLine line; nextLine(table, line);)
+    {
+        if (line.isHeading || (heading.empty() && !line.words.empty()))
+        {
+            heading = line.text;
+        }
+        if (!line.isHeading && !line.words.empty())
+        {
+            break;
+        }
+    }
+    const std::size_t separator = heading.find_first_of(",;");
+    return separator == std::string::npos ? ' ' : heading[separator];
+}
+
+std::ifstream opened(const std::filesystem::path& file, const Design& design)
+{
+    std::ifstream stream(file);
+    if (!stream)
+    {
+        throw FatalIOError(fmt::format("There is no table {} in this case.", design.file), design.location);
+    }
+    skipByteOrderMark(stream);
+    return stream;
 }
 
 } // namespace
@@ -43,25 +75,22 @@ std::vector<std::vector<SampleValue>> readSampleTable(const Design& design,
                                                       const std::filesystem::path& caseDirectory)
 {
     const std::filesystem::path file = caseDirectory / design.file;
-    std::ifstream stream(file);
-    if (!stream)
-    {
-        throw FatalIOError(fmt::format("There is no table {} in this case.", design.file), design.location);
-    }
-    skipByteOrderMark(stream);
+    std::ifstream beginning = opened(file, design);
+    const char separator = separatorOf(beginning);
+    std::ifstream stream = opened(file, design);
     std::vector<std::vector<SampleValue>> rows;
     std::vector<std::string> columns;
     std::vector<std::size_t> places; // known from the first row on
-    for (TableLine line; nextLine(stream, line);)
+    for (TableLine line; nextLine(stream, line, separator);)
     {
         const std::vector<std::string>& cells = line.words;
-        if (line.isHeading)
+        if (line.text.find_first_not_of(" \t\r") == std::string::npos)
         {
-            columns = places.empty() ? cells : columns; // comments between rows are no headings
             continue;
         }
-        if (cells.empty())
+        if (line.isHeading || columns.empty())
         {
+            columns = places.empty() ? cells : columns; // comments between rows are no headings
             continue;
         }
         if (places.empty())

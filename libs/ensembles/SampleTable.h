@@ -11,9 +11,9 @@ namespace drystone
 {
 
 /// The rows of the table that a design names, each with the values of the variables in their order, whatever
-/// the order of its columns. \param caseDirectory that its file counts from \throws FatalIOError where there
-/// is no such file, no column of a variable or no row, or where a row has other than as many values as there
-/// are columns
+/// the order of its columns, which the last comment names, or as in a CSV file the first line. \param
+/// caseDirectory that its file counts from \throws FatalIOError where there is no such file, no column of a
+/// variable or no row, or where a row has other than as many values as there are columns
 std::vector<std::vector<SampleValue>> readSampleTable(const Design& design,
                                                       const std::vector<Named<EnsembleVariable>>& variables,
                                                       const std::filesystem::path& caseDirectory);

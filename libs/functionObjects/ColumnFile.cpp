@@ -45,7 +45,7 @@ ColumnFile::ColumnFile(const std::filesystem::path& path, const std::vector<std:
     {
         put("# " + note + "\n");
     }
-    put(fmt::format("# {}\n", fmt::join(columns, "  ")));
+    put(columnHeading(columns));
 }
 
 void ColumnFile::write(std::span<const double> values)
@@ -55,12 +55,7 @@ void ColumnFile::write(std::span<const double> values)
         throw std::logic_error(
             fmt::format("{} values for the {} columns of {}", values.size(), columnCount, file.string()));
     }
-    std::string line;
-    for (const double value : values)
-    {
-        line += fmt::format("{}{:.{}g}", line.empty() ? "" : "  ", value, precision);
-    }
-    put(line + "\n");
+    put(columnRow(values, precision));
 }
 
 void ColumnFile::put(const std::string& line)
@@ -69,6 +64,21 @@ void ColumnFile::put(const std::string& line)
     {
         refuse(file, errno);
     }
+}
+
+std::string columnHeading(const std::vector<std::string>& columns)
+{
+    return fmt::format("# {}\n", fmt::join(columns, "  "));
+}
+
+std::string columnRow(std::span<const double> values, int digits)
+{
+    std::string line;
+    for (const double value : values)
+    {
+        line += fmt::format("{}{:.{}g}", line.empty() ? "" : "  ", value, digits);
+    }
+    return line + "\n";
 }
 
 std::filesystem::path postProcessingFolder(const std::filesystem::path& caseDirectory,

@@ -2,6 +2,7 @@
 /// Follows what steps call for, and draws it.
 #include "functionObjects/EffectHistory.h"
 
+#include "core/WholeFile.h"
 #include "dynamics/EffectCalls.h"
 #include "functionObjects/ColumnFile.h"
 #include "io/Plot.h"
@@ -66,51 +67,69 @@ void EffectHistory<Dim>::halve()
 }
 
 template<int Dim>
-bool EffectHistory<Dim>::write(const std::filesystem::path& folder, const std::string& title,
-                               const PictureFormats& formats) const
+std::vector<std::string> EffectHistory<Dim>::names() const
 {
-    if (sums.empty())
-    {
-        return false;
-    }
-    std::vector<std::string> names{"blocks", "bodies"};
-    names.insert(names.end(), effects.begin(), effects.end());
+    std::vector<std::string> all{"blocks", "bodies"};
+    all.insert(all.end(), effects.begin(), effects.end());
+    return all;
+}
+
+template<int Dim>
+double EffectHistory<Dim>::meanShare(const Sums& row, std::size_t column)
+{
+    return percent * row.shares[column] / static_cast<double>(row.steps);
+}
+
+template<int Dim>
+void EffectHistory<Dim>::writeTable(const std::filesystem::path& folder) const
+{
+    constexpr int digits = 6;
     std::vector<std::string> columns{"Time[s]"};
+    for (const std::string& name : names())
+    {
+        columns.push_back(name + "[%]");
+    }
+    std::string text = columnHeading(columns);
+    for (const Sums& row : sums)
+    {
+        std::vector<double> values{row.time};
+        for (std::size_t k = 0; k < row.shares.size(); ++k)
+        {
+            values.push_back(meanShare(row, k));
+        }
+        text += columnRow(values, digits);
+    }
+    writeWholeFile(folder / "effects.dat", text);
+}
+
+template<int Dim>
+void EffectHistory<Dim>::writePicture(const std::filesystem::path& folder, const std::string& title,
+                                      const PictureFormats& formats) const
+{
     Plot plot;
     plot.title = title;
     plot.subtitle = "blocks simulated and the bodies they were, of all blocks; where each effect acted, of "
                     "the points or blocks";
     plot.x.label = "time [s]";
     plot.y = {"share [%]", AxisScale::linear, 0, percent};
-    for (std::size_t k = 0; k < names.size(); ++k)
+    for (const std::string& name : names())
     {
-        columns.push_back(names[k] + "[%]");
+        const std::size_t column = plot.curves.size();
         PlotCurve curve;
-        curve.name = names[k];
+        curve.name = name;
         curve.marker = CurveMarker::none;
         for (const Sums& row : sums)
         {
             curve.x.push_back(row.time);
-            curve.y.push_back(percent * row.shares[k] / static_cast<double>(row.steps));
+            curve.y.push_back(meanShare(row, column));
         }
-        if (k >= 2)
+        if (column >= 2)
         {
             curve.line = CurveLine::dashed;
         }
         plot.curves.push_back(std::move(curve));
     }
-    ColumnFile table(folder / "effects.dat", columns, 6);
-    for (std::size_t i = 0; i < sums.size(); ++i)
-    {
-        std::vector<double> row{sums[i].time};
-        for (const PlotCurve& curve : plot.curves)
-        {
-            row.push_back(curve.y[i]);
-        }
-        table.write(row);
-    }
     writePlot(folder / "effects", plot, formats);
-    return true;
 }
 
 template class EffectHistory<2>;

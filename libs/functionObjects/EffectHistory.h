@@ -25,10 +25,17 @@ public:
     /// To be called at the end of each step.
     void observe(const Motion<Dim>& motion);
 
+    /// Whether no step was observed: there is nothing to write.
+    bool isEmpty() const { return sums.empty(); }
+
     /// Writes effects.dat, `Time[s] blocks[%] bodies[%] friction[%] ...`, each row the means since the row
-    /// before, and the picture effects.svg into a folder. \return whether there was a step, and it is written
-    bool write(const std::filesystem::path& folder, const std::string& title,
-               const PictureFormats& formats) const;
+    /// before, into a folder. What is there is replaced as a whole, as rows of long runs are joined.
+    /// \throws FatalError naming the file and the system's reason
+    void writeTable(const std::filesystem::path& folder) const;
+
+    /// Writes the picture effects.svg of the same into a folder. \throws FatalError likewise
+    void writePicture(const std::filesystem::path& folder, const std::string& title,
+                      const PictureFormats& formats) const;
 
 private:
     /// Sums over steps.
@@ -39,6 +46,10 @@ private:
         std::vector<double> shares; ///< in the order of the columns
     };
     void halve();
+    /// Of the columns but the time.
+    std::vector<std::string> names() const;
+    /// Mean of a column over the steps of a row [%].
+    static double meanShare(const Sums& row, std::size_t column);
 
     const DynamicCase<Dim>& scene;
     std::vector<std::string> effects;

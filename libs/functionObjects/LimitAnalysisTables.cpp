@@ -97,7 +97,7 @@ std::string thrustText(const std::vector<ContactPoint<2>>& points, const std::ve
         }
         const double eccentricity = joint.hasCentreOfPressure() ? moment / force.x() : 0;
         const Vector<2> pressure = middle + eccentricity * direction;
-        text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {} {}\n", pressure.x(), pressure.y(),
+        text += fmt::format("{:.12g} {:.12g} {:.9g} {:.9g} {:.9g} {:.9g} {} {}\n", pressure.x(), pressure.y(),
                             force.x(), force.y(), moment, eccentricity, points[joint.points.begin].block,
                             points[joint.points.begin].neighbour);
     }
@@ -128,7 +128,7 @@ std::string thrustText(const std::vector<ContactPoint<3>>& points, const std::ve
         }
         const double normalForce = force.dot(first.normal);
         const double shear = (force - normalForce * first.normal).norm();
-        text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {} {}\n",
+        text += fmt::format("{:.12g} {:.12g} {:.12g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {} {}\n",
                             centre.x(), centre.y(), centre.z(), force.x(), force.y(), force.z(), normalForce,
                             shear, torsion, first.block, first.neighbour);
     }

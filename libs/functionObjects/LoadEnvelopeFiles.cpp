@@ -28,7 +28,7 @@ std::string tableOf(const LimitAnalysisCase<Dim>& structure)
     {
         const LoadPosition<Dim>& position = structure.loads.positions[i];
         const PositionResult& result = structure.envelope[i];
-        text += fmt::format("{:.9g} {:.9g} {} {:.12g} {}\n", position.distance,
+        text += fmt::format("{:.9g} {:.12g} {} {:.12g} {}\n", position.distance,
                             fmt::join(position.place.data(), position.place.data() + Dim, " "),
                             position.blocks.front(), tabledAlpha(result.status, result.alpha),
                             static_cast<int>(result.status));

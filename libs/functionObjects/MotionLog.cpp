@@ -186,6 +186,17 @@ void printStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const T
     printExecutionTime();
 }
 
+void printWhereRunBegan(const Time& time)
+{
+    if (time.startName() != time.beginningName() && time.value() > time.startValue())
+    {
+        info(
+            "This run went on from {} s: what follows is of its own steps. Tables of those before are in the "
+            "folders of earlier times in postProcessing.\n",
+            time.startName());
+    }
+}
+
 template<int Dim>
 void printSummary(const MotionSummary<Dim>& summary, const Motion<Dim>& motion)
 {

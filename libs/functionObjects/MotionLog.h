@@ -31,6 +31,10 @@ void printAddedEffects(const DynamicCase<Dim>& scene);
 template<int Dim>
 void printStep(const DynamicCase<Dim>& scene, const Motion<Dim>& motion, const Time& time);
 
+/// Before the closing lines of a run that has gone on from a state of an earlier one: that they are of its
+/// own steps.
+void printWhereRunBegan(const Time& time);
+
 /// After the last step: its largest displacement, whether the blocks rest, and a warning where these are not
 /// the small displacements that the schemes take them for.
 template<int Dim>

@@ -218,8 +218,12 @@ void MotionResults<Dim>::writeNow()
     state.texts[inputInState] = textsOf(input);
     statesWritten.push_back(time.name());
     writing.start(
-        [this, name = time.name(), state = std::move(state), frames = framesNow()]
+        [this, name = time.name(), state = std::move(state), frames = framesNow(), history = effects]
         {
+            if (history && !history->isEmpty()) // first: a run that goes on from the state does not repeat it
+            {
+                history->writeTable(effectsFolder());
+            }
             states.write(name, state);
             write(frames);
         });
@@ -324,6 +328,12 @@ void MotionResults<Dim>::writeFirstFrames()
 }
 
 template<int Dim>
+std::filesystem::path MotionResults<Dim>::effectsFolder() const
+{
+    return postProcessingFolder(caseDirectory, "effects", time.startName());
+}
+
+template<int Dim>
 void MotionResults<Dim>::printWritten() const
 {
     std::vector<std::string> kept; // purgeWrite may have removed the others
@@ -342,9 +352,11 @@ void MotionResults<Dim>::printWritten() const
              time.name());
     }
     functionList.writePictures();
-    const std::filesystem::path folder = postProcessingFolder(caseDirectory, "effects", time.startName());
-    if (effects && effects->write(folder, caseName(caseDirectory), time.controls().pictureFormats))
+    if (effects && !effects->isEmpty())
     {
+        const std::filesystem::path folder = effectsFolder();
+        effects->writeTable(folder);
+        effects->writePicture(folder, caseName(caseDirectory), time.controls().pictureFormats);
         info("Wrote {}: what the steps called for, over time, as table and picture",
              folder.lexically_normal().string());
     }

@@ -59,7 +59,8 @@ public:
     void writeFirstFrames();
 
     /// To be called after each step: the functions that are due, and at the times of writeControl a time
-    /// directory and a frame of VTK/blocks.vtp.series and VTK/contacts.vtp.series. These are written while
+    /// directory and a frame of VTK/blocks.vtp.series and VTK/contacts.vtp.series, and with `selection
+    /// automatic` what the steps so far have called for. These are written while
     /// the run steps on, each before the next ones begin: a run that is killed continues from the last state
     /// that is there, and writes the frame of it if that is missing. \throws FatalError for what cannot be
     /// written, of a state or frame with the next one or with finish
@@ -86,6 +87,8 @@ private:
     };
     Frames framesNow() const;
     void write(const Frames& frames);
+    /// postProcessing/effects/<startTime>
+    std::filesystem::path effectsFolder() const;
 
     std::filesystem::path caseDirectory;
     const DynamicCase<Dim>& scene;

@@ -6,7 +6,9 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "geometry/BroadPhase.h"
+#include "geometry/PointText.h"
 #include "geometry/PolygonShape.h"
+#include "geometry/WholeMetres.h"
 #include "import/Zones.h"
 
 #include <fmt/format.h>
@@ -34,9 +36,10 @@ Polygon inMetres(const DrawnOutline& drawn, double scale, const DrawingSettings&
         {
             refuse(file, drawn.line,
                    fmt::format(
-                       "A corner is at ({:g} {:g}) m: coordinates are at most {:g} m. Correct it, or give a "
-                       "smaller scale, or an offset that brings the blocks near 0.",
-                       outline.back().x(), outline.back().y(), farthestCoordinate));
+                       "A corner is at {} m: coordinates are at most {:g} m. Correct it, or give a smaller "
+                       "scale, or an offset that brings the blocks near 0, as `offset {};`.",
+                       asWritten<2>(outline.back()), farthestCoordinate,
+                       inWholeMetres<2>(settings.offset - outline.back())));
         }
     }
     const BoundingBox box = boundingBox(outline);

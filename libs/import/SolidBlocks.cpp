@@ -4,6 +4,8 @@
 
 #include "core/Log.h"
 #include "geometry/Box.h"
+#include "geometry/PointText.h"
+#include "geometry/WholeMetres.h"
 #include "geometry/space/PolyhedronFault.h"
 #include "import/SolidJoints.h"
 #include "import/Zones.h"
@@ -60,9 +62,9 @@ Polyhedron placed(const Solid& solid, const SolidSettings& settings, const Impor
         {
             refuse(file, solid.line,
                    fmt::format(
-                       "A vertex is at ({:g} {:g} {:g}) m: coordinates are at most {:g} m. Correct it, or "
-                       "give a smaller scale, or an offset that brings the blocks near 0.",
-                       place.x(), place.y(), place.z(), farthestCoordinate));
+                       "A vertex is at {} m: coordinates are at most {:g} m. Correct it, or give a smaller "
+                       "scale, or an offset that brings the blocks near 0, as `offset {};`.",
+                       asWritten<3>(place), farthestCoordinate, inWholeMetres<3>(settings.offset - place)));
         }
         shape.vertices.push_back(place);
     }

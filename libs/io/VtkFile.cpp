@@ -7,6 +7,7 @@
 #include "core/Error.h"
 #include "core/MarkupText.h"
 #include "core/WholeFile.h"
+#include "geometry/Box.h"
 
 #include <fmt/format.h>
 #include <libdeflate.h>
@@ -300,6 +301,20 @@ std::size_t cellCount(const PolyData<Dim>& data)
 }
 
 template<int Dim>
+bool areFarFromOrigin(const std::vector<Vector<Dim>>& places)
+{
+    Box<Dim> box;
+    for (const Vector<Dim>& place : places)
+    {
+        extend(box, place);
+    }
+    constexpr double far = 100;
+    return !places.empty()
+           && std::max(-box.lower.minCoeff(), box.upper.maxCoeff())
+                  > far * (box.upper - box.lower).maxCoeff();
+}
+
+template<int Dim>
 std::string vtpBytes(const PolyData<Dim>& data)
 {
     checkPolyData(data);
@@ -319,7 +334,9 @@ std::string vtpBytes(const PolyData<Dim>& data)
         addFields(text, "PointData", data.fields, cells);
     }
     text.elements += "      <Points>\n";
-    text.array<float>("Float32", "Points", points > 0 ? data.points.front().data() : nullptr, points, Dim);
+    const double* places = points > 0 ? data.points.front().data() : nullptr;
+    areFarFromOrigin<Dim>(data.points) ? text.array<double>("Float64", "Points", places, points, Dim)
+                                       : text.array<float>("Float32", "Points", places, points, Dim);
     text.elements += "      </Points>\n";
     addCells(text, data);
 
@@ -341,10 +358,12 @@ void writeVtp(const std::filesystem::path& file, const PolyData<Dim>& data)
 
 template void checkPolyData(const PolyData<2>& data);
 template std::size_t cellCount(const PolyData<2>& data);
+template bool areFarFromOrigin(const std::vector<Vector<2>>& places);
 template std::string vtpBytes(const PolyData<2>& data);
 template void writeVtp(const std::filesystem::path& file, const PolyData<2>& data);
 template void checkPolyData(const PolyData<3>& data);
 template std::size_t cellCount(const PolyData<3>& data);
+template bool areFarFromOrigin(const std::vector<Vector<3>>& places);
 template std::string vtpBytes(const PolyData<3>& data);
 template void writeVtp(const std::filesystem::path& file, const PolyData<3>& data);
 

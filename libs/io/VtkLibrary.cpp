@@ -148,24 +148,33 @@ vtkSmartPointer<vtkCellArray> cells(const PolyData<Dim>& data)
     return result;
 }
 
-/// The places of the corners; z = 0 in the plane.
-template<int Dim>
-vtkSmartPointer<vtkPoints> pointsOfVtk(const std::vector<Vector<Dim>>& places)
+/// \param Array of the numbers
+template<class Array, int Dim>
+vtkSmartPointer<vtkPoints> pointsIn(const std::vector<Vector<Dim>>& places)
 {
-    vtkNew<PlainRange<vtkFloatArray>> coordinates;
+    vtkNew<PlainRange<Array>> coordinates;
     coordinates->SetNumberOfComponents(3);
     coordinates->SetNumberOfTuples(static_cast<vtkIdType>(places.size()));
-    float* out = coordinates->GetPointer(0);
+    using Number = typename Array::ValueType;
+    Number* out = coordinates->GetPointer(0);
     for (const Vector<Dim>& place : places)
     {
         for (int i = 0; i < 3; ++i)
         {
-            *out++ = i < Dim ? static_cast<float>(place[i]) : 0.0F;
+            *out++ = i < Dim ? static_cast<Number>(place[i]) : Number{0};
         }
     }
     vtkNew<vtkPoints> points;
     points->SetData(coordinates);
     return points;
+}
+
+/// The places of the corners; z = 0 in the plane.
+template<int Dim>
+vtkSmartPointer<vtkPoints> pointsOfVtk(const std::vector<Vector<Dim>>& places)
+{
+    return areFarFromOrigin<Dim>(places) ? pointsIn<vtkDoubleArray, Dim>(places)
+                                         : pointsIn<vtkFloatArray, Dim>(places);
 }
 
 /// Adds fields to those of cells or points: the first number and the first vector are what ParaView shows

@@ -2,27 +2,71 @@
 /// Splits lines of tables into words, and names of columns from their units.
 #include "quantities/TableLine.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <istream>
-#include <iterator>
-#include <sstream>
 
 namespace drystone
 {
 namespace
 {
 
+constexpr std::string_view blanks = " \t\r";
+
+/// Cuts what is between quotes off the front of a text that begins with one; all of it where no other quote
+/// ends it.
+std::string takeQuoted(std::string_view& text)
+{
+    std::string word;
+    for (text.remove_prefix(1); !text.empty(); text.remove_prefix(1))
+    {
+        const bool isQuote = text.front() == '"';
+        if (isQuote && !text.substr(1).starts_with('"'))
+        {
+            text.remove_prefix(1);
+            return word;
+        }
+        text.remove_prefix(isQuote ? 1 : 0); // the first of two
+        word += text.front();
+    }
+    return word;
+}
+
+std::string_view withoutBlanks(std::string_view text)
+{
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+std::vector<std::string> wordsOf(std::string_view text)
+{
+    std::vector<std::string> words;
+    for (text = withoutBlanks(text); !text.empty(); text = withoutBlanks(text))
+    {
+        if (text.front() == '"')
+        {
+            words.push_back(takeQuoted(text));
+            continue;
+        }
+        const std::size_t end = std::min(text.find_first_of(blanks), text.size());
+        words.emplace_back(text.substr(0, end));
+        text.remove_prefix(end);
+    }
+    return words;
+}
+
 /// What is between separators, without blanks at its ends.
-std::vector<std::string> cellsOf(const std::string& text, char separator)
+std::vector<std::string> cellsOf(std::string_view text, char separator)
 {
     std::vector<std::string> cells;
-    std::istringstream stream(text + separator);
-    for (std::string cell; std::getline(stream, cell, separator);)
+    for (bool isLast = false; !isLast;)
     {
-        constexpr std::string_view blanks = " \t\r";
-        cell.erase(0, cell.find_first_not_of(blanks));
-        cell.erase(cell.find_last_not_of(blanks) + 1);
-        cells.push_back(std::move(cell));
+        text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+        std::string quoted = text.starts_with('"') ? takeQuoted(text) : "";
+        const std::size_t end = text.find(separator);
+        isLast = end == std::string_view::npos;
+        cells.push_back(quoted.append(withoutBlanks(text.substr(0, end))));
+        text.remove_prefix(isLast ? text.size() : end + 1);
     }
     return cells;
 }
@@ -37,14 +81,8 @@ bool nextLine(std::istream& table, TableLine& line, char separator)
     }
     ++line.number;
     line.isHeading = line.text.starts_with("#");
-    const std::string text = line.isHeading ? line.text.substr(1) : line.text;
-    if (separator != ' ')
-    {
-        line.words = cellsOf(text, separator);
-        return true;
-    }
-    std::istringstream words(text);
-    line.words.assign(std::istream_iterator<std::string>(words), {});
+    const std::string_view text = std::string_view(line.text).substr(line.isHeading ? 1 : 0);
+    line.words = separator == ' ' ? wordsOf(text) : cellsOf(text, separator);
     return true;
 }
 

@@ -24,9 +24,10 @@ struct TableLine
     std::string text;               ///< the whole of it
 };
 
-/// Reads the next line of a table. \param line whose number goes on from that of the line before
-/// \param separator of cells, which may be empty or hold blanks; a blank: words between any number of them
-/// \return whether there was one
+/// Reads the next line of a table. What is between quotes is one word or cell, without them; within it `""`
+/// is a quote, as in CSV. \param line whose number goes on from that of the line before \param separator of
+/// cells, which may be empty or hold blanks; a blank: words between any number of them \return whether there
+/// was one
 bool nextLine(std::istream& table, TableLine& line, char separator = ' ');
 
 /// A word of a row; nothing where it is no number.

@@ -224,7 +224,11 @@ SupportMaker<Dim> makeFixedZones(const FixedZones& fixed, const Dictionary& dict
             }
             if (!isFound)
             {
-                throw FatalIOError(unknownWordMessage("layer", pattern.text, names), layersPlace);
+                throw FatalIOError(unknownWordMessage("layer", pattern.text, names)
+                                       + "\n\nThe layers of an OBJ file are its materials, and only where it "
+                                         "has none its objects: give the objects that are fixed a material "
+                                         "of their own, or name their blocks with `type blocks;`.",
+                                   layersPlace);
             }
         }
     };
@@ -237,8 +241,9 @@ void declare(Options& options, FixedZones& fixed)
     options
         .optional(
             "layers", fixed.layers,
-            "layers, materials or objects of the imported file whose blocks are fixed; absent: the layer of "
-            "the support's own name, or else what the file marks as supports (is_support)")
+            "layers of the imported file whose blocks are fixed: of OBJ its materials or, where it has none, "
+            "its objects without their numbers; absent: the layer of the support's own name, or else what "
+            "the file marks as supports (is_support)")
         .example("(abutments)");
 }
 

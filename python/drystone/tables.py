@@ -29,6 +29,11 @@ class Table:
                                  for name, column in self.columns.items()})
 
 
+def wordsOf(line):
+    """The words of a row; what is between quotes is one, without them."""
+    return [quoted or word for quoted, word in re.findall(r'"([^"]*)"(?!\S)|(\S+)', line)]
+
+
 def readTable(file):
     """Reads a table. The last row of a run that was killed may be cut off; it is left out.
 
@@ -38,7 +43,7 @@ def readTable(file):
     if not lines or not lines[0].startswith("# "):
         raise ValueError(f"{file} is no table: it lacks a heading '# name[unit] ...'")
     headings = [re.fullmatch(r"(.*?)(?:\[(.*)\])?", word).groups() for word in lines[0][2:].split()]
-    rows = [line.split() for line in lines[1:] if line and not line.startswith("#")]
+    rows = [wordsOf(line) for line in lines[1:] if line and not line.startswith("#")]
     rows = [row for row in rows if len(row) == len(headings)]
     columns = {name: numbers([row[i] for row in rows]) for i, (name, _) in enumerate(headings)}
     return Table(columns, {name: unit or "" for name, unit in headings})

@@ -2,7 +2,10 @@
 /// Loads on faces against hand calculations.
 #include "assembly/SurfaceLoads.h"
 #include "assembly/FillFromAbove.h"
+#include "dictionary/Dictionary.h"
+#include "texture/Texture.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 using namespace drystone;
@@ -306,6 +309,39 @@ TEST(FillFromAbove, ReachesAlikeWhatIsAlikeInAMirror)
         };
         EXPECT_TRUE(isReached(2, {0, 1, 0})) << roof;
         EXPECT_TRUE(isReached(3, {0, -1, 0})) << roof;
+    }
+}
+
+// Upwards from the middle of the span a ray runs within the joint at the crown, and met neither stone: in
+// space the fill came to soffits, to those of one side more than to those of the other.
+TEST(FillFromAbove, ComesThroughNoJointToASoffit)
+{
+    for (const int voussoirs : {8, 10, 12, 16, 20, 28})
+    {
+        const std::string arch = fmt::format(
+            "type arch; profile circular; radius 1; thickness 0.2; voussoirs {}; angle 180;", voussoirs);
+        const auto structure = [](const std::string& texture)
+        { return Dictionary::readString(texture + " supports { ground { type ground; } }"); };
+        const auto plane = makeStructure<2>(structure("dimensions 2; texture { " + arch + " depth 1; }"));
+        const auto space = makeStructure<3>(
+            structure("dimensions 3; texture { type extrusion; of { " + arch + " depth 1; } thickness 1; }"));
+        BackfillSettings<2> settings;
+        settings.unitWeight = 18000;
+        settings.level = 1.3;
+        settings.lateralCoefficient = 0.5;
+        BackfillSettings<3> ofSpace;
+        ofSpace.unitWeight = settings.unitWeight;
+        ofSpace.level = settings.level;
+        ofSpace.lateralCoefficient = settings.lateralCoefficient;
+        const Eigen::VectorXd expected =
+            backfillLoad(plane, exposedSurface<2>(plane, {}, settings), settings).rows;
+        const Eigen::VectorXd rows = backfillLoad(space, exposedSurface<3>(space, {}, ofSpace), ofSpace).rows;
+        ASSERT_EQ(rows.size(), 2 * expected.size());
+        for (Eigen::Index block = 0; 3 * block < expected.size(); ++block)
+        {
+            EXPECT_LT((asOfPlane(rows.segment<6>(6 * block)) - expected.segment<3>(3 * block)).norm(), 1e-6)
+                << block << " of " << voussoirs;
+        }
     }
 }
 

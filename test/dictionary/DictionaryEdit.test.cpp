@@ -255,14 +255,20 @@ TEST_F(FileEdit, OfAnIncludedEntryOverridesIt)
     EXPECT_THROW(editFile(folder / "mine", "nowhere/a", EntryEdit::set, "77"), FatalIOError);
 }
 
-TEST(DictionaryEdit, IncludesThatLeadOutOfACaseBecomeAbsolute)
+TEST(DictionaryEdit, FilesThatLeadOutOfACaseBecomeAbsolute)
 {
     const std::string content = "#include \"../system/a\"\n#include \"../../shared/mu\" // ../x\nb { c 1;\n"
                                 "#includeIfPresent \"../../other\"\n}\n#include \"a\"\n";
-    EXPECT_EQ(withIncludesFromOutside(content, "/home/me/case/constant/contactProperties", "/home/me/case"),
+    EXPECT_EQ(withFilesFromOutside(content, "/home/me/case/constant/contactProperties", "/home/me/case"),
               "#include \"../system/a\"\n#include \"/home/me/shared/mu\" // ../x\nb { c 1;\n"
               "#includeIfPresent \"/home/me/other\"\n}\n#include \"a\"\n");
-    EXPECT_EQ(withIncludesFromOutside("not { #include \"../../x\"", "/c/constant/a", "/c"),
+    // Files that entries name count from the case, wherever the dictionary is.
+    EXPECT_EQ(withFilesFromOutside("texture { file \"../shared/tower 1.obj\"; of { file \"../b.dxf\"; } }\n"
+                                   "a { file \"constant/../x\"; other \"../y\"; file2 ../z; }\n",
+                                   "/home/me/case/system/blockTextureDict", "/home/me/case"),
+              "texture { file \"/home/me/shared/tower 1.obj\"; of { file \"/home/me/b.dxf\"; } }\n"
+              "a { file \"constant/../x\"; other \"../y\"; file2 ../z; }\n");
+    EXPECT_EQ(withFilesFromOutside("not { #include \"../../x\"", "/c/constant/a", "/c"),
               "not { #include \"../../x\"");
 }
 

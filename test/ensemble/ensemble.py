@@ -270,6 +270,24 @@ class Ensemble(CaseTest):
         self.assertEqual(self.table(case), self.table(inProcess))
         self.assertEqual(os.path.exists(os.path.join(inProcess, "constant/assembly")), False)
 
+    def testAnImportedFileIsThatOfTheCaseFromWhereverItRuns(self):
+        """Samples in the process looked for the drawing in the working directory: all of them failed."""
+        drawn = self.alike("drawn", samples=4, statistics="")
+        imported = self.alike("imported", samples=4, statistics="")
+        self.runApplication("blockTexture", drawn)
+        self.runApplication("exportBlocks", drawn, "-format", "dxf", "-output", os.path.join(imported, "wall.dxf"))
+        with open(os.path.join(imported, "system/blockTextureDict"), "w", encoding="utf-8") as file:
+            file.write(header % "blockTextureDict" + """
+dimensions 2;
+texture { type import; file "wall.dxf"; thickness 1; }
+supports { ground { type import; } }
+""")
+        for case in drawn, imported:
+            self.run_(case)
+        for row, expected in zip(self.table(imported)[1:], self.table(drawn)[1:], strict=True):
+            self.assertEqual(row[3], "0")
+            self.assertAlmostEqual(float(row[2]), float(expected[2]), places=7)
+
     def testFiguresOfBlocksThatAreNotThereAreRefusedAtOnce(self):
         for name, block, status in (("there", 30, 0), ("beyond", 4000, 1)):
             case = self.case(name, applications="blockTexture contactDynamics", samples=4, statistics="")

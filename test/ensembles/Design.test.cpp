@@ -3,13 +3,17 @@
 #include "core/Error.h"
 #include "ensembles/NatafCorrelation.h"
 #include "ensembles/Philox.h"
+#include "ensembles/SampleTable.h"
 #include "ensembles/Sampler.h"
 #include "ensembles/SobolSequence.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -402,6 +406,48 @@ TEST(Sampler, RefusesWhatIsImpossible)
     EXPECT_THAT(faultOf(two + "design { type table; file nowhere; }"), HasSubstr("no table"));
     EXPECT_THAT(faultOf(two + "design { type randm; samples 5; }"), HasSubstr("Did you mean random?"));
     EXPECT_EQ(faultOf(two + design), "");
+}
+
+// A file of Excel, pandas or NumPy was said to have no column, and to have none at all.
+TEST(Sampler, ATableMayHaveCommasAndAFirstLineForAHeading)
+{
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("drystoneSampleTable" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    const auto two = readOptions<Sampled>(Dictionary::readString(
+        variables({"type uniform; minimum 0; maximum 1;", "type uniform; minimum 0; maximum 1;"})
+            + "design { type table; file t; }",
+        "system/ensembleDict"));
+    const auto rowsOf = [&](const std::string& text)
+    {
+        std::ofstream(folder / "t") << text;
+        std::string result;
+        for (const std::vector<SampleValue>& row : readSampleTable(two.design, two.variables, folder))
+        {
+            result += row[0].text + "|" + row[1].text + " ";
+        }
+        return result;
+    };
+    for (const char* text :
+         {"# v1 n v0\n2 7 1\n4 8 3\n", "v1 n v0\n2 7 1\n\n4 8 3\n", "v1,n,v0\n2,7,1\n4,,3\n",
+          "\xEF\xBB\xBFv1;n;v0\r\n2;7;1\r\n\r\n4;8;3", "# by us, 2024\n# v1 n v0\n2 7 1\n# a,b\n4 8 3\n",
+          "# v1, n, v0[-]\n2, 7, 1\n4, 8, 3\n"})
+    {
+        EXPECT_EQ(rowsOf(text), "1|2 3|4 ") << text;
+    }
+    EXPECT_EQ(rowsOf("# v1 v0\n\"b 2.dxf\" a.dxf\n"), "a.dxf|b 2.dxf ");
+    EXPECT_THROW(rowsOf("v1,v0\n2,1,7\n"), FatalIOError);
+    try
+    {
+        rowsOf("1 2\n3 4\n");
+        ADD_FAILURE() << "no heading was refused";
+    }
+    catch (const FatalIOError& error)
+    {
+        EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("no column v0"), HasSubstr("first line"),
+                                                 HasSubstr("Its columns: 1 2")));
+    }
+    std::filesystem::remove_all(folder);
 }
 
 TEST(Sampler, ValuesSpreadOverTheRangesDependOnNeitherDesignNorSize)

@@ -41,7 +41,7 @@ TEST(EffectHistory, ATableAndAPictureOfTheShares)
         std::filesystem::temp_directory_path() / ("drystoneEffectHistory" + std::to_string(getpid()));
     const DynamicCase<2> scene = fourBlocks();
     EffectHistory<2> history(scene);
-    EXPECT_FALSE(history.write(folder, "case", {PictureFormat::svg}));
+    EXPECT_TRUE(history.isEmpty());
     constexpr int steps = 5000;
     for (int step = 1; step <= steps; ++step)
     {
@@ -54,7 +54,9 @@ TEST(EffectHistory, ATableAndAPictureOfTheShares)
         }
         history.observe(motion);
     }
-    ASSERT_TRUE(history.write(folder, "case", {PictureFormat::svg}));
+    ASSERT_FALSE(history.isEmpty());
+    history.writeTable(folder);
+    history.writePicture(folder, "case", {PictureFormat::svg});
     EXPECT_TRUE(std::filesystem::exists(folder / "effects.svg"));
     const NumberTable table = readNumberTable(folder / "effects.dat");
     EXPECT_EQ(table.names,

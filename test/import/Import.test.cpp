@@ -141,6 +141,19 @@ TEST_F(Imports, LayersWhoseNamesAreNoKeysAreZonesOfTheirOwnOrWarnedOf)
                 AllOf(HasSubstr("St 1 and St_1 have become one zone, St_1"), HasSubstr("a.dxf")));
 }
 
+// Objects of a file that has materials, too, are no layers: that was an unknown layer without a word of why.
+TEST_F(Imports, ObjectsBesideMaterialsAreNoLayersAndTheMessageSaysWhatToDo)
+{
+    write("a.obj", "o base.001\nusemtl stone\n" + wedge + faces);
+    EXPECT_THAT(reportOf([&] { make<3>("file \"a.obj\";", "ground { type import; layers (base); }"); }),
+                AllOf(HasSubstr("Unknown layer base"), HasSubstr("Valid layers: stone"),
+                      HasSubstr("materials, and only where it has none its objects"),
+                      HasSubstr("`type blocks;`")));
+    EXPECT_EQ(make<3>("file \"a.obj\";", "ground { type import; layers (stone); }").blocks[0].support, 0);
+    write("b.obj", "o base.001\n" + wedge + faces);
+    EXPECT_EQ(make<3>("file \"b.obj\";", "ground { type import; layers (base); }").blocks[0].support, 0);
+}
+
 TEST_F(Imports, TheFormatFollowsFromTheName)
 {
     write("a.OBJ", wedge + faces);

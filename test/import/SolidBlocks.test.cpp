@@ -332,6 +332,8 @@ TEST(SolidBlocks, FaultsNameTheBlock)
     uneven.vertices[6].z() += 0.02;
     EXPECT_THAT(report(solidsOf({uneven})), HasSubstr("state a tolerance of 0.005 m"));
     EXPECT_THAT(report(solidsOf({makeBox({0, 0, 0}, {1, 1, 2e6})})), HasSubstr("coordinates are at most"));
+    EXPECT_THAT(report(solidsOf({makeBox({512345.25, 4649876.5, 123}, {512346.25, 4649877.5, 124})})),
+                HasSubstr("`offset (-512345 -4649877 -123);`"));
     EXPECT_THAT(report(solidsOf({Polyhedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}})),
                 HasSubstr("is no solid"));
 }

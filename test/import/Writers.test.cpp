@@ -21,6 +21,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <map>
 #include <sstream>
 
@@ -237,6 +238,48 @@ TEST(CompasJsonText, ComesBackToTheLastBitWithSupportsAndJoints)
             EXPECT_LE((back.statedJoints[i].normal - joints[i].normal).norm(), 1e-12) << i;
             EXPECT_EQ(sorted(back.statedJoints[i].points), sorted(joints[i].points)) << i; // either way round
         }
+    }
+}
+
+/// The vector of three numbers after a name.
+Vector<3> vectorAfter(const std::string& text, const std::string& name)
+{
+    std::size_t at = text.find('[', text.find(name));
+    Vector<3> vector;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        vector[axis] = std::strtod(text.c_str() + at + 1, nullptr);
+        at = text.find(',', at + 1);
+    }
+    return vector;
+}
+
+// compas_cra and compas_rbe press the first block of an edge against the z axis of a frame, and the second
+// along it; so all 597 interfaces that COMPAS publishes have it. The other way compression was tension there.
+TEST(CompasJsonText, FramesOfInterfacesPointFromTheFirstBlockToTheSecond)
+{
+    const Assembly<3> assembly =
+        structure<3>("type boxes; blocks (((0 0 0) (1 1 1)) ((0.2 0 1) (1.2 1 2)));", ground);
+    std::vector<StatedJoint<3>> joints;
+    for (const ContactPoint<3>& point : findContactPoints(assembly))
+    {
+        if (joints.empty() || joints.back().neighbour != point.neighbour)
+        {
+            joints.push_back({point.block, point.neighbour, point.normal, {}});
+        }
+        joints.back().points.push_back(point.position);
+    }
+    const std::vector<ExportedSolid> solids = exportedSolids(assembly);
+    ASSERT_EQ(joints.size(), 2u);
+    for (const StatedJoint<3>& joint : joints)
+    {
+        const std::string text = compasJsonText(solids, {joint}, {});
+        const auto centreOf = [&](int block)
+        { return volumeProperties(solids[static_cast<std::size_t>(block)].shape).centroid; };
+        const Vector<3> zAxis = vectorAfter(text, "xaxis").cross(vectorAfter(text, "yaxis"));
+        EXPECT_NEAR(std::abs(zAxis.z()), 1, 1e-12);
+        EXPECT_GT(zAxis.dot(centreOf(joint.neighbour) - centreOf(joint.block)), 0)
+            << joint.block << " " << joint.neighbour;
     }
 }
 
@@ -486,6 +529,53 @@ TEST(GltfText, HasTheTrianglesOfEachBlockWithYUpwards)
             }
         }
     }
+}
+
+// Seven digits of the buffer were of the whole: a brick in coordinates of a map had no height.
+TEST(GltfText, FarFromTheOriginBlocksKeepTheirShape)
+{
+    const Vector<3> place(512345.25, 4649876.5, 123.75);
+    std::vector<ExportedSolid> solids;
+    for (const double z : {0.0, 0.065})
+    {
+        solids.push_back(
+            {makeBox(place + Vector<3>(0, 0, z), place + Vector<3>(0.25, 0.125, z + 0.065)), "brick"});
+    }
+    const SolidFrame frame{0, Eigen::Matrix3Xd::Constant(3, 2, 0.01), Eigen::Matrix3Xd::Zero(3, 2)};
+    for (const std::vector<SolidFrame>& frames : {std::vector<SolidFrame>{}, {frame}})
+    {
+        const JsonValue gltf = parseJson(gltfText(solids, frames));
+        const auto list = [](const JsonValue& value, std::string_view name) -> const JsonValue::List&
+        { return *value.find(name)->asList(); };
+        const auto numberIn = [&](const JsonValue& value, std::string_view name, std::size_t axis)
+        { return *list(value, name)[axis].asNumber(); };
+        const JsonValue::List& nodes = list(gltf, "nodes");
+        ASSERT_EQ(nodes.size(), 3u);
+        EXPECT_EQ(numberIn(list(gltf, "scenes")[0], "nodes", 0), 2);
+        ASSERT_EQ(list(nodes[2], "children").size(), 2u);
+        for (std::size_t block = 0; block < 2; ++block)
+        {
+            const Vector<3> lowest(place.x(), place.z() + 0.065 * static_cast<double>(block),
+                                   -place.y() - 0.125);
+            const Vector<3> size(0.25, 0.065, 0.125);
+            const JsonValue& accessor = list(gltf, "accessors")[2 * block];
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                const auto at = static_cast<std::size_t>(axis);
+                const double lower = numberIn(accessor, "min", at);
+                EXPECT_NEAR(numberIn(accessor, "max", at) - lower, size[axis], 1e-7);
+                const double ofNode = frames.empty() ? 0 : numberIn(nodes[block], "translation", at);
+                EXPECT_NEAR(numberIn(nodes[2], "translation", at) + ofNode + lower, lowest[axis], 1e-6);
+            }
+        }
+    }
+}
+
+TEST(GltfText, NamesOfLayersAreThoseOfTheDictionary)
+{
+    const std::string name = "left\\new";
+    const JsonValue gltf = parseJson(gltfText({{makeBox({0, 0, 0}, {1, 1, 1}), name}}));
+    EXPECT_EQ(*(*gltf.find("nodes")->asList())[0].find("extras")->find("layer")->asText(), name);
 }
 
 /// The numbers in a text, with all else between them.

@@ -254,6 +254,28 @@ TEST(VtkFile, NamesMayHaveWhatXmlReserves)
     EXPECT_EQ(fields->GetVectors()->GetTuple3(4)[1], vector.values[9]);
 }
 
+// In coordinates of a map single precision leaves half a metre of a wall.
+TEST(VtkFile, PlacesFarFromTheOriginAreTold)
+{
+    PolyData<2> data = contactsOf<2>(6);
+    EXPECT_FALSE(areFarFromOrigin<2>(data.points));
+    EXPECT_FALSE(areFarFromOrigin<2>({}));
+    const Vector<2> map(-512345.25, 4649876.5);
+    for (Vector<2>& place : data.points)
+    {
+        place += map;
+    }
+    expectAsVtkWrites(data);
+    const test::ScratchFolder folder;
+    writeVtp(folder / "written.vtp", data);
+    const auto read = readBack(folder / "written.vtp");
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+    {
+        const double* place = read->GetPoints()->GetPoint(static_cast<vtkIdType>(i));
+        EXPECT_EQ(Vector<2>(place[0], place[1]), data.points[i]);
+    }
+}
+
 TEST(VtkFile, ExtremeValuesAreAsVtkWritesThem)
 {
     PolyData<2> data = contactsOf<2>(6);

@@ -131,6 +131,14 @@ class Package(CaseTest):
         file.write_text("# Time[s] loss[J]\n0.1 1.5e-08\n0.2 1.6934059", encoding="utf-8")
         self.assertEqual(list(drystone.readTable(file)["loss"]), [1.5e-08])
 
+    def testWhatIsBetweenQuotesIsOneWordOfATable(self):
+        file = os.path.join(self.root.name, "samples.dat")
+        with open(file, "w", encoding="utf-8") as table:
+            table.write('# sample[-] file alpha\n0 a.dxf 0.5\n1 "b 2.dxf" 0.6\n')
+        read = drystone.readTable(file)
+        self.assertEqual(list(read["file"]), ["a.dxf", "b 2.dxf"])
+        self.assertEqual(list(read["alpha"]), [0.5, 0.6])
+
     @unittest.skipUnless(drystone.hasNumPy, "NumPy is not installed")
     def testTablesAndFramesAreArraysOfNumPy(self):
         import numpy

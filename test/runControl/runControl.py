@@ -604,6 +604,7 @@ class RunControl(CaseTest):
             self.runApplication("blockTexture", case)
             done = self.run_(case, "-dry-run")
             self.assertEqual("neighbours 9.3e-10 m apart" in done.stdout + done.stderr, warns, done.stdout)
+            self.assertEqual("`offset (-5000000 -1);`" in done.stdout + done.stderr, warns, done.stderr)
             box = self.runApplication("checkBlocks", case).stdout
             self.assertIn("Bounding box of the free blocks (5000000 0) (5000000.42 1.5)" if warns else "Bounding", box)
 

@@ -103,6 +103,7 @@ int runIn(const CommandLine& commandLine)
     results.writeFirstFrames();
     MotionSummary<Dim> summary(scene);
     stepThrough(scene, motion, time, results, summary);
+    printWhereRunBegan(time);
     printIntegrationError(scene, motion, time);
     printEffectUse(scene, motion);
     printStageTimes(motion.stageTimes);

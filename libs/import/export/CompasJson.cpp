@@ -62,7 +62,7 @@ void writeInterface(std::string& text, const StatedJoint<3>& joint, const Writte
         area += momentOf(Vector<3>(joint.points[i] - centre),
                          Vector<3>(joint.points[(i + 1) % joint.points.size()] - centre));
     }
-    const Eigen::Matrix3d frame = frameOf(joint.normal);
+    const Eigen::Matrix3d frame = frameOf(-joint.normal); // of a joint it points into the block
     fmt::format_to(
         out,
         R"(], "size": {}, "frame": {{"dtype": "compas.geometry/Frame", "data": {{"point": [{}], "xaxis": [{}], )"

@@ -2,6 +2,7 @@
 /// glTF 2.0 with its buffer within: corners of each triangle with the normal of their face, about the centre
 /// of the block, which the node places and an animation moves.
 #include "core/Base64.h"
+#include "geometry/Box.h"
 #include "geometry/space/Polyhedron.h"
 #include "import/export/Number.h"
 #include "import/export/Writers.h"
@@ -107,6 +108,40 @@ Triangles trianglesAbout(const Vector<3>& centre, const Polyhedron& shape)
     return triangles;
 }
 
+/// From where places in the buffer are counted, as they have seven digits only: in coordinates of a map
+/// stones of centimetres would be flat. \return zero unless the structure is far from there
+Vector<3> originOf(const std::vector<ExportedSolid>& solids)
+{
+    Box<3> box;
+    for (const ExportedSolid& solid : solids)
+    {
+        for (const Vector<3>& vertex : solid.shape.vertices)
+        {
+            extend(box, vertex);
+        }
+    }
+    constexpr double far = 100; // sizes of the structure: a hundred thousandth of it is left
+    const Vector<3> centre = (box.lower + box.upper) / 2;
+    const bool isFar = centre.lpNorm<Eigen::Infinity>() > far * (box.upper - box.lower).maxCoeff();
+    return isFar ? Vector<3>(centre.array().round()) : Vector<3>::Zero();
+}
+
+/// A name as JSON has it between quotes; those of dictionaries have no control characters.
+std::string escaped(const std::string& name)
+{
+    std::string text;
+    for (const char c : name)
+    {
+        text += c == '\\' || c == '"' ? std::string{'\\', c} : std::string{c};
+    }
+    return text;
+}
+
+std::string translationOf(const Vector<3>& place)
+{
+    return fmt::format(R"(,"translation":[{},{},{}])", place.x() + 0.0, place.y() + 0.0, place.z() + 0.0);
+}
+
 /// x y z w; that of the rotation which is nearer to `previous`, so that a viewer turns the short way.
 Eigen::Vector4d quaternionOf(const Vector<3>& rotation, const Eigen::Vector4d& previous)
 {
@@ -198,7 +233,8 @@ std::string gltfText(const std::vector<ExportedSolid>& solids, const std::vector
     std::string meshes;
     std::string nodes;
     std::string children;
-    std::vector<Vector<3>> centres(solids.size(), Vector<3>::Zero());
+    const Vector<3> origin = originOf(solids);
+    std::vector<Vector<3>> centres(solids.size(), origin);
     for (std::size_t i = 0; i < solids.size(); ++i)
     {
         // Blocks that stay are written where they are.
@@ -210,14 +246,17 @@ std::string gltfText(const std::vector<ExportedSolid>& solids, const std::vector
         fmt::format_to(std::back_inserter(meshes),
                        R"({}{{"primitives":[{{"attributes":{{"POSITION":{},"NORMAL":{}}},"material":{}}}]}})",
                        separator, positions, normals, solids[i].isFixed ? 1 : 0);
-        const Vector<3> place = upright(centres[i]);
         fmt::format_to(std::back_inserter(nodes),
                        R"({}{{"name":"block_{}","mesh":{}{},"extras":{{"layer":"{}"}}}})", separator, i, i,
-                       frames.empty() ? ""
-                                      : fmt::format(R"(,"translation":[{},{},{}])", place.x() + 0.0,
-                                                    place.y() + 0.0, place.z() + 0.0),
-                       solids[i].layer);
+                       frames.empty() ? "" : translationOf(upright(centres[i] - origin)),
+                       escaped(solids[i].layer));
         fmt::format_to(std::back_inserter(children), "{}{}", i > 0 ? "," : "", i);
+    }
+    if (!origin.isZero()) // one more node moves them all to where they are
+    {
+        nodes += fmt::format(",\n{{\"name\":\"structure\",\"children\":[{}]{}}}", children,
+                             translationOf(upright(origin)));
+        children = fmt::format("{}", solids.size());
     }
     std::string animations;
     if (!frames.empty())
@@ -227,7 +266,7 @@ std::string gltfText(const std::vector<ExportedSolid>& solids, const std::vector
         {
             if (!solids[i].isFixed)
             {
-                animation.move(i, centres[i]);
+                animation.move(i, centres[i] - origin);
             }
         }
         animations =

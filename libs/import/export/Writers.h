@@ -22,9 +22,10 @@ struct WrittenNumbers
 /// faces are plane are the same to the last bit.
 std::string objText(const std::vector<ExportedSolid>& solids, const WrittenNumbers& numbers);
 
-/// COMPAS JSON, an assembly of compas_assembly: fixed blocks have `is_support`, joints are interfaces, and
-/// `zones` of a node names the support and the zones of its block. \param joints with points in order round
-/// each
+/// COMPAS JSON, an assembly of compas_assembly: fixed blocks have `is_support`, joints are interfaces with
+/// the z axis of their frame from the first block of the edge to the second, as equilibrium in COMPAS takes
+/// it, and `zones` of a node names the support and the zones of its block. \param joints with points in order
+/// round each
 std::string compasJsonText(const std::vector<ExportedSolid>& solids,
                            const std::vector<StatedJoint<3>>& joints, const WrittenNumbers& numbers);
 
@@ -43,7 +44,8 @@ struct SolidFrame
 };
 
 /// glTF 2.0 in one file: a node `block_<index>` a block, y upwards, blocks of clay and grey supports. With
-/// frames, an animation `motion` moves the nodes of all blocks that are not fixed.
+/// frames, an animation `motion` moves the nodes of all blocks that are not fixed. Of a structure far from
+/// the origin, as in coordinates of a map, a node `structure` above them has the place.
 std::string gltfText(const std::vector<ExportedSolid>& solids, const std::vector<SolidFrame>& frames = {});
 
 /// A script for the pre-processor of LMGC90 (pylmgc90.pre), which writes its DATBOX: rigid polyhedra, Coulomb
