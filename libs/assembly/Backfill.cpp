@@ -3,6 +3,7 @@
 #include "assembly/Backfill.h"
 
 #include "assembly/FillFromAbove.h"
+#include "core/ShownList.h"
 
 #include <fmt/format.h>
 
@@ -74,12 +75,7 @@ struct FacesOfRemark
 /// `block 3`, `blocks 3 4 and 20 more`.
 std::string named(const std::vector<int>& blocks)
 {
-    constexpr std::size_t most = 8;
-    const std::size_t shown = std::min(most, blocks.size());
-    const std::size_t more = blocks.size() - shown;
-    return fmt::format("block{} {}{}", blocks.size() == 1 ? "" : "s",
-                       fmt::join(blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(shown), " "),
-                       more > 0 ? fmt::format(" and {} more", more) : "");
+    return fmt::format("block{} {}", blocks.size() == 1 ? "" : "s", shownList(blocks, 8, " "));
 }
 
 } // namespace
