@@ -3,6 +3,7 @@
 #include "assembly/Backfill.h"
 
 #include "assembly/FillFromAbove.h"
+#include "core/ShownList.h"
 
 #include <fmt/format.h>
 
@@ -74,12 +75,7 @@ struct FacesOfRemark
 /// `block 3`, `blocks 3 4 and 20 more`.
 std::string named(const std::vector<int>& blocks)
 {
-    constexpr std::size_t most = 8;
-    const std::size_t shown = std::min(most, blocks.size());
-    const std::size_t more = blocks.size() - shown;
-    return fmt::format("block{} {}{}", blocks.size() == 1 ? "" : "s",
-                       fmt::join(blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(shown), " "),
-                       more > 0 ? fmt::format(" and {} more", more) : "");
+    return fmt::format("block{} {}", blocks.size() == 1 ? "" : "s", shownList(blocks, 8, " "));
 }
 
 } // namespace
@@ -123,6 +119,75 @@ void declare(Options& options, BackfillSettings<Dim>& settings)
                   });
 }
 
+namespace
+{
+
+/// Faces of which a remark is made.
+struct RemarkedFaces
+{
+    FacesOfRemark withoutEarthPressure;
+    FacesOfRemark sheltered;
+};
+
+/// The part of the earth pressure that a face bears, and what is remarked of it. The weight on a face
+/// vanishes as it turns to the vertical, and there is none on one that looks down; the earth pressure does
+/// not know on which side of the vertical it is.
+template<int Dim>
+void addFace(const std::vector<SurfacePiece<Dim>>& face, const FillFromAbove<Dim>& fill,
+             double lateralCoefficient, Tractions<Dim>& tractions, RemarkedFaces& remarked)
+{
+    const Vector<Dim> up = Vector<Dim>::Unit(Dim - 1);
+    const Vector<Dim>& normal = face.front().normal;
+    const Vector<Dim> vertical = normal.dot(up) * up;
+    const Vector<Dim> sideways = normal - vertical;
+    double area = 0;
+    double whole = 0;
+    for (const SurfacePiece<Dim>& piece : face)
+    {
+        area += areaOf(piece);
+        whole += std::abs(areaOf(piece));
+    }
+    const bool isPressed = lateralCoefficient > 0 && sideways.norm() > sameDirection;
+    const bool isBare = area > roundingOfAreas * whole;
+    const bool isReached = !isPressed || !isBare || fill.reaches(face);
+    if (!isReached)
+    {
+        remarked.withoutEarthPressure.add(face.front().block, area * sideways.norm());
+    }
+    if (isBare && normal.dot(up) > sameDirection && fill.isSheltered(face))
+    {
+        remarked.sheltered.add(face.front().block, area * normal.dot(up));
+    }
+    const double lateral = isReached ? lateralCoefficient : 0;
+    for (const SurfacePiece<Dim>& piece : face)
+    {
+        tractions.pieces.push_back({piece, -(std::max(0.0, normal.dot(up)) * up + lateral * sideways)});
+    }
+}
+
+std::vector<std::string> remarksOf(const RemarkedFaces& remarked)
+{
+    std::vector<std::string> remarks;
+    if (!remarked.withoutEarthPressure.blocks.empty())
+    {
+        remarks.push_back(
+            fmt::format("Backfill: no earth pressure on {:.4g} m2 of faces, vertical projection, which the "
+                        "fill cannot reach from above, of {}",
+                        remarked.withoutEarthPressure.area, named(remarked.withoutEarthPressure.blocks)));
+    }
+    if (!remarked.sheltered.blocks.empty())
+    {
+        remarks.push_back(
+            fmt::format("Backfill: {:.4g} m2 of faces, horizontal projection, bear all the fill up to its "
+                        "level though other blocks stand above them, of {}; leave them out by `blocks`, "
+                        "`zones` or `box` where it does not come to them",
+                        remarked.sheltered.area, named(remarked.sheltered.blocks)));
+    }
+    return remarks;
+}
+
+} // namespace
+
 template<int Dim>
 Tractions<Dim> backfillTractions(const Assembly<Dim>& assembly, const std::vector<SurfacePiece<Dim>>& exposed,
                                  const BackfillSettings<Dim>& settings)
@@ -132,55 +197,13 @@ Tractions<Dim> backfillTractions(const Assembly<Dim>& assembly, const std::vecto
     tractions.pressure = [settings, up](const Vector<Dim>& place)
     { return settings.unitWeight * (settings.level.value_or(0) - place.dot(up)) + settings.surcharge; };
     const FillFromAbove<Dim> fill(assembly, settings.level);
-    FacesOfRemark withoutEarthPressure;
-    FacesOfRemark sheltered;
+    RemarkedFaces remarked;
     for (const std::vector<SurfacePiece<Dim>>& face :
          facesOf(settings.level ? partBelow(exposed, up, *settings.level) : exposed, widthOfAJoint(assembly)))
     {
-        // The weight on a face vanishes as it turns to the vertical, and there is none on one that looks
-        // down; the earth pressure does not know on which side of the vertical it is.
-        const Vector<Dim>& normal = face.front().normal;
-        const Vector<Dim> vertical = normal.dot(up) * up;
-        const Vector<Dim> sideways = normal - vertical;
-        double area = 0;
-        double whole = 0;
-        for (const SurfacePiece<Dim>& piece : face)
-        {
-            area += areaOf(piece);
-            whole += std::abs(areaOf(piece));
-        }
-        const bool isPressed = settings.lateralCoefficient > 0 && sideways.norm() > sameDirection;
-        const bool isBare = area > roundingOfAreas * whole;
-        const bool isReached = !isPressed || !isBare || fill.reaches(face);
-        if (!isReached)
-        {
-            withoutEarthPressure.add(face.front().block, area * sideways.norm());
-        }
-        if (isBare && normal.dot(up) > sameDirection && fill.isSheltered(face))
-        {
-            sheltered.add(face.front().block, area * normal.dot(up));
-        }
-        const double lateral = isReached ? settings.lateralCoefficient : 0;
-        for (const SurfacePiece<Dim>& piece : face)
-        {
-            tractions.pieces.push_back({piece, -(std::max(0.0, normal.dot(up)) * up + lateral * sideways)});
-        }
+        addFace(face, fill, settings.lateralCoefficient, tractions, remarked);
     }
-    if (!withoutEarthPressure.blocks.empty())
-    {
-        tractions.remarks.push_back(
-            fmt::format("Backfill: no earth pressure on {:.4g} m2 of faces, vertical projection, which the "
-                        "fill cannot reach from above, of {}",
-                        withoutEarthPressure.area, named(withoutEarthPressure.blocks)));
-    }
-    if (!sheltered.blocks.empty())
-    {
-        tractions.remarks.push_back(
-            fmt::format("Backfill: {:.4g} m2 of faces, horizontal projection, bear all the fill up to its "
-                        "level though other blocks stand above them, of {}; leave them out by `blocks`, "
-                        "`zones` or `box` where it does not come to them",
-                        sheltered.area, named(sheltered.blocks)));
-    }
+    tractions.remarks = remarksOf(remarked);
     return tractions;
 }
 

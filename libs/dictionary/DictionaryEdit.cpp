@@ -258,6 +258,45 @@ std::string replaced(const std::string& text, const Statement& statement, const 
                           fmt::format("{}{}{}", needsBlank(begin) ? " " : "", value, standsApart ? "" : " "));
 }
 
+/// A new entry after the last statement of a file, before what comments may close it.
+std::string withEntryAtEnd(const std::string& text, const std::vector<Statement>& statements,
+                           const std::string& name, const std::string& value)
+{
+    const std::size_t end =
+        statements.empty() ? text.size() : lineEndAfterComments(text, statements.back().end);
+    std::string result = text;
+    const std::string added =
+        fmt::format("{}{}", end > 0 && text[end - 1] != '\n' ? "\n" : "", entryText(name, value, ""));
+    return result.insert(end, linesAsIn(text, added));
+}
+
+/// A new entry at the end of a sub-dictionary.
+std::string withEntryInside(const std::string& text, const Statement& parent, const std::string& name,
+                            const std::string& value)
+{
+    const std::size_t closing = parent.valueEnd;
+    std::string result = text;
+    const bool onOneLine = text.find('\n', parent.valueBegin) == std::string::npos
+                           || text.find('\n', parent.valueBegin) > closing;
+    if (onOneLine && !isDictionaryText(value))
+    {
+        const bool blankBefore = closing > 0 && text[closing - 1] == ' ';
+        return result.insert(closing, fmt::format("{}{} {}; ", blankBefore ? "" : " ", name, value));
+    }
+    const std::string outer = indentationAt(text, parent.begin);
+    const std::string inner =
+        parent.body.empty() || onOneLine ? outer + "    " : indentationAt(text, parent.body.back().begin);
+    // In front of the line of the `}`, or of the `}` itself when it does not begin its line.
+    const std::size_t lineBegin = text.rfind('\n', closing) + 1;
+    const bool opensLine = text.find_first_not_of(" \t", lineBegin) == closing;
+    if (opensLine)
+    {
+        return result.insert(lineBegin, linesAsIn(text, entryText(name, value, inner)));
+    }
+    const std::string added = fmt::format("\n{}{}", entryText(name, value, inner), outer);
+    return result.insert(closing, linesAsIn(text, added));
+}
+
 } // namespace
 
 std::string withEntrySet(const std::string& given, const std::filesystem::path& file, std::string_view path,
@@ -281,14 +320,7 @@ std::string withEntrySet(const std::string& given, const std::filesystem::path& 
     const std::string name = checkedName(givenNames(path).back());
     if (keywords.size() == 1)
     {
-        // After the last statement, before what comments may close the file.
-        const std::size_t end = edited.statements.empty()
-                                    ? text.size()
-                                    : lineEndAfterComments(text, edited.statements.back().end);
-        std::string result = text;
-        const std::string added =
-            fmt::format("{}{}", end > 0 && text[end - 1] != '\n' ? "\n" : "", entryText(name, newValue, ""));
-        return result.insert(end, linesAsIn(text, added));
+        return withEntryAtEnd(text, edited.statements, name, newValue);
     }
 
     const std::vector<const Statement*> parents =
@@ -299,28 +331,7 @@ std::string withEntrySet(const std::string& given, const std::filesystem::path& 
                                        fmt::join(keywords.begin(), keywords.end() - 1, "/"), keywords.back()),
                            SourceLocation{edited.file.name, "", 0});
     }
-    const Statement& parent = *parents.back();
-    const std::size_t closing = parent.valueEnd;
-    std::string result = text;
-    const bool onOneLine = text.find('\n', parent.valueBegin) == std::string::npos
-                           || text.find('\n', parent.valueBegin) > closing;
-    if (onOneLine && !isDictionaryText(newValue))
-    {
-        const bool blankBefore = closing > 0 && text[closing - 1] == ' ';
-        return result.insert(closing, fmt::format("{}{} {}; ", blankBefore ? "" : " ", name, newValue));
-    }
-    const std::string outer = indentationAt(text, parent.begin);
-    const std::string inner =
-        parent.body.empty() || onOneLine ? outer + "    " : indentationAt(text, parent.body.back().begin);
-    // In front of the line of the `}`, or of the `}` itself when it does not begin its line.
-    const std::size_t lineBegin = text.rfind('\n', closing) + 1;
-    const bool opensLine = text.find_first_not_of(" \t", lineBegin) == closing;
-    if (opensLine)
-    {
-        return result.insert(lineBegin, linesAsIn(text, entryText(name, newValue, inner)));
-    }
-    const std::string added = fmt::format("\n{}{}", entryText(name, newValue, inner), outer);
-    return result.insert(closing, linesAsIn(text, added));
+    return withEntryInside(text, *parents.back(), name, newValue);
 }
 
 std::string withEntryRemoved(const std::string& given, const std::filesystem::path& file,

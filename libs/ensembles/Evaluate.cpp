@@ -145,9 +145,12 @@ std::map<std::string, SampleValue> readParameters(const fs::path& file)
         {file.string(), "", 1});
 }
 
-int evaluateSample(const fs::path& caseDirectory, const fs::path& parameters, const fs::path& results)
+namespace
 {
-    const Ensemble ensemble = readEnsemble(caseDirectory, {});
+
+/// The values of the variables of an ensemble, in their order.
+std::vector<SampleValue> givenValues(const Ensemble& ensemble, const fs::path& parameters)
+{
     std::map<std::string, SampleValue> given = readParameters(parameters);
     std::vector<SampleValue> values;
     for (const auto& [name, variable] : ensemble.settings.variables)
@@ -174,24 +177,43 @@ int evaluateSample(const fs::path& caseDirectory, const fs::path& parameters, co
             unknownWordMessage("variable", given.begin()->first, namesIn(ensemble.settings.variables)),
             {parameters.string(), "", 0});
     }
+    return values;
+}
+
+/// Ends this process when a sample takes longer.
+void limitTime(double seconds)
+{
+    itimerval timer{};
+    timer.it_value.tv_sec = static_cast<time_t>(std::ceil(seconds));
+    ::setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+SampleOutcome runWithinMemory(SampleRunner& runner, const std::vector<SampleValue>& values)
+{
+    try
+    {
+        return runner.run(values);
+    }
+    catch (const std::bad_alloc&)
+    {
+        return {SampleStatus::outOfMemory, {}, "out of memory"};
+    }
+}
+
+} // namespace
+
+int evaluateSample(const fs::path& caseDirectory, const fs::path& parameters, const fs::path& results)
+{
+    const Ensemble ensemble = readEnsemble(caseDirectory, {});
+    const std::vector<SampleValue> values = givenValues(ensemble, parameters);
     // What stands there if this process does not come to its end.
     writeWholeFile(results, "FAIL\n");
     if (const auto& limit = ensemble.settings.failures.maximumTime)
     {
-        itimerval timer{};
-        timer.it_value.tv_sec = static_cast<time_t>(std::ceil(*limit));
-        ::setitimer(ITIMER_REAL, &timer, nullptr);
+        limitTime(*limit);
     }
     SampleRunner runner(ensemble, ensembleWork(caseDirectory) / fmt::format("case.evaluate.{}", ::getpid()));
-    SampleOutcome outcome;
-    try
-    {
-        outcome = runner.run(values);
-    }
-    catch (const std::bad_alloc&)
-    {
-        outcome = {SampleStatus::outOfMemory, {}, "out of memory"};
-    }
+    const SampleOutcome outcome = runWithinMemory(runner, values);
     if (outcome.status != SampleStatus::done)
     {
         info("FAIL: {}{}", textOf(outcome.status), outcome.message.empty() ? "" : ": " + outcome.message);

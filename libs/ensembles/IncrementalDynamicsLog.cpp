@@ -80,6 +80,66 @@ std::string StudyClock::timeLeft() const
     return "at most " + durationText(each * static_cast<double>(std::max(toDo - done, 0L))) + " left";
 }
 
+namespace
+{
+
+/// \param name of the motion and a colon, or nothing \param unit of accelerations
+void printKind(const LeastIntensity& least, const std::string& name, std::string_view unit)
+{
+    switch (least.kind)
+    {
+    case LeastIntensity::Kind::found:
+        info("{}Least acceleration that meets the criterion a_g = {:.9g} {}", name, least.value, unit);
+        break;
+    case LeastIntensity::Kind::belowRange:
+        info("{}The lowest acceleration tried, {:.9g} {}, meets the criterion already: try lower ones", name,
+             least.value, unit);
+        break;
+    case LeastIntensity::Kind::aboveRange:
+        info("{}No acceleration up to {:.9g} {} meets the criterion", name, least.value, unit);
+        break;
+    case LeastIntensity::Kind::notConverged:
+        info("{}The least acceleration that meets the criterion is not known: a run below it did not "
+             "converge",
+             name);
+        break;
+    }
+}
+
+/// What the runs leave open about the least acceleration.
+template<int Dim>
+void printReservations(const IncrementalDynamics<Dim>& study, const LeastIntensity& least,
+                       const IncrementalCurve& finished, const std::string& name)
+{
+    if (!least.isMonotone)
+    {
+        info("{}At some higher accelerations the structure stands again: see the table", name);
+    }
+    else if (least.kind == LeastIntensity::Kind::found && study.intensity.isBisection)
+    {
+        info("{}A bisection finds one change of the verdict: whether lower accelerations meet the "
+             "criterion too, as those of one-sine pulses may, `type step` shows",
+             name);
+    }
+    const auto growing = std::count_if(finished.begin(), finished.end(),
+                                       [](const IncrementalRun& run) { return run.isGrowing; });
+    if (growing > 0)
+    {
+        info("{}In {} of the runs that stand {} still grows at endTime {:g} s: with a later one the least "
+             "acceleration may be lower",
+             name, growing, study.criterion.figure.name, study.controls.endTime);
+    }
+    const auto failed =
+        std::count_if(finished.begin(), finished.end(),
+                      [](const IncrementalRun& run) { return run.verdict == Verdict::notConverged; });
+    if (failed > 0)
+    {
+        info("{}{} of {} runs did not converge", name, failed, finished.size());
+    }
+}
+
+} // namespace
+
 template<int Dim>
 void printLeast(const IncrementalDynamics<Dim>& study, const std::vector<IncrementalCurve>& curves)
 {
@@ -95,50 +155,8 @@ void printLeast(const IncrementalDynamics<Dim>& study, const std::vector<Increme
             continue;
         }
         const LeastIntensity least = leastIntensity(finished);
-        switch (least.kind)
-        {
-        case LeastIntensity::Kind::found:
-            info("{}Least acceleration that meets the criterion a_g = {:.9g} {}", name, least.value, unit);
-            break;
-        case LeastIntensity::Kind::belowRange:
-            info("{}The lowest acceleration tried, {:.9g} {}, meets the criterion already: try lower ones",
-                 name, least.value, unit);
-            break;
-        case LeastIntensity::Kind::aboveRange:
-            info("{}No acceleration up to {:.9g} {} meets the criterion", name, least.value, unit);
-            break;
-        case LeastIntensity::Kind::notConverged:
-            info("{}The least acceleration that meets the criterion is not known: a run below it did not "
-                 "converge",
-                 name);
-            break;
-        }
-        if (!least.isMonotone)
-        {
-            info("{}At some higher accelerations the structure stands again: see the table", name);
-        }
-        else if (least.kind == LeastIntensity::Kind::found && study.intensity.isBisection)
-        {
-            info("{}A bisection finds one change of the verdict: whether lower accelerations meet the "
-                 "criterion too, as those of one-sine pulses may, `type step` shows",
-                 name);
-        }
-        const auto growing = std::count_if(finished.begin(), finished.end(),
-                                           [](const IncrementalRun& run) { return run.isGrowing; });
-        if (growing > 0)
-        {
-            info(
-                "{}In {} of the runs that stand {} still grows at endTime {:g} s: with a later one the least "
-                "acceleration may be lower",
-                name, growing, study.criterion.figure.name, study.controls.endTime);
-        }
-        const auto failed =
-            std::count_if(finished.begin(), finished.end(),
-                          [](const IncrementalRun& run) { return run.verdict == Verdict::notConverged; });
-        if (failed > 0)
-        {
-            info("{}{} of {} runs did not converge", name, failed, finished.size());
-        }
+        printKind(least, name, unit);
+        printReservations(study, least, finished, name);
     }
 }
 

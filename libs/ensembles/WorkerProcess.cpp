@@ -216,17 +216,38 @@ void requireSameInput(InputWatch& input, Journal& journal)
     }
 }
 
+int countOf(const std::map<long, int>& counts, long sample)
+{
+    const auto found = counts.find(sample);
+    return found == counts.end() ? 0 : found->second;
+}
+
+/// Ends this process, with what it has computed on the disk.
+[[noreturn]] void endWorker(Journal& journal)
+{
+    journal.sync();
+    ::_exit(0);
+}
+
+/// The row of a sample that has failed too often. \return none where it may be tried again
+std::optional<SampleRow> failedRow(const Ensemble& ensemble, const Attempts& attempts, long sample)
+{
+    const int own = countOf(attempts.own, sample);
+    const int outside = countOf(attempts.outside, sample);
+    if (own < ensemble.settings.failures.attempts && outside < mostOutsideKills)
+    {
+        return {};
+    }
+    return SampleRow{attempts.lastStatus.at(sample), own + (own > 0 ? 0 : outside), 0,
+                     std::vector<double>(ensemble.settings.results.size(), std::nan(""))};
+}
+
 void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk, SampleRunner& runner,
                   Activity& activity, Journal& journal, InputWatch& input,
                   const std::map<long, SampleRow>& known)
 {
     const auto [begin, end] = store.range(chunk);
     const Attempts attempts = attemptsOf(store.folder(), {begin, end});
-    const auto countOf = [](const std::map<long, int>& counts, long sample)
-    {
-        const auto found = counts.find(sample);
-        return found == counts.end() ? 0 : found->second;
-    };
     const auto isLeftOut = [&](long sample) {
         return known.contains(sample)
                || countOf(attempts.own, sample) + countOf(attempts.outside, sample) > 0;
@@ -238,40 +259,31 @@ void computeChunk(const Ensemble& ensemble, const SampleStore& store, long chunk
     {
         if (activity.stops || stopSignal() != 0)
         {
-            journal.sync();
-            ::_exit(0);
+            endWorker(journal);
         }
         if (sample >= ahead.end && !isLeftOut(sample) && runner.together() > 1)
         {
             ahead = computeTogether(ensemble, runner, activity, sample, end, isLeftOut);
             requireSameInput(input, journal);
         }
-        const auto found = known.find(sample);
         if (const auto done = ahead.rows.find(sample); done != ahead.rows.end())
         {
             journal.add(sample, done->second);
         }
-        else if (found == known.end())
+        else if (!known.contains(sample))
         {
-            const int own = countOf(attempts.own, sample);
-            const int outside = countOf(attempts.outside, sample);
-            if (own >= ensemble.settings.failures.attempts || outside >= mostOutsideKills)
+            std::optional<SampleRow> row = failedRow(ensemble, attempts, sample);
+            if (!row)
             {
-                journal.add(sample, {attempts.lastStatus.at(sample), own + (own > 0 ? 0 : outside), 0,
-                                     std::vector<double>(ensemble.settings.results.size(), std::nan(""))});
-            }
-            else
-            {
-                const std::optional<SampleRow> row =
-                    computeSample(ensemble, store.folder(), runner, activity, sample, own, outside);
+                row = computeSample(ensemble, store.folder(), runner, activity, sample,
+                                    countOf(attempts.own, sample), countOf(attempts.outside, sample));
                 if (!row)
                 {
-                    journal.sync();
-                    ::_exit(0);
+                    endWorker(journal);
                 }
                 requireSameInput(input, journal);
-                journal.add(sample, *row);
             }
+            journal.add(sample, *row);
         }
         ++activity.done;
     }

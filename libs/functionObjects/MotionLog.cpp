@@ -240,19 +240,14 @@ void printIntegrationError(const DynamicCase<Dim>& scene, const Motion<Dim>& mot
     }
 }
 
-template<int Dim>
-void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
+namespace
 {
-    const ChosenEffects& effects = scene.schemes.effects;
-    const EffectUse& use = motion.effectUse;
-    if (effects.selection != EffectSelection::automatic || use.steps == 0)
-    {
-        return;
-    }
-    info("Effects as the steps called for them (margin {:g})", effects.margin);
+
+/// In which steps and at how many places each effect was called for.
+void printCalls(const EffectUse& use, const std::vector<std::string>& names)
+{
     info("    effect               in steps [%]  at places [%]  places: of the");
     const auto steps = static_cast<double>(use.steps);
-    const std::vector<std::string> names = namesOfEffects(scene);
     for (std::size_t i = 0; i < names.size() && i < use.calls.size(); ++i)
     {
         info("    {:20} {:12.1f} {:14.2f}  {}", names[i],
@@ -264,6 +259,12 @@ void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
         info("Simulated: {:.2f}% of the blocks, in bodies whose number is {:.2f}% of theirs; the others rest",
              100 * use.awakeBlocks / use.blocks, 100 * use.bodies / use.blocks);
     }
+}
+
+/// Why steps were taken with all blocks, and how often a law was left out.
+template<int Dim>
+void printWholeSteps(const DynamicCase<Dim>& scene, const EffectUse& use)
+{
     const std::string_view why = whyAllBlocks(scene, scene.flowRule());
     if (!why.empty())
     {
@@ -280,13 +281,17 @@ void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
     {
         info("Coulomb's law left out of {} steps, in which nothing slides", use.sticking);
     }
+}
+
+void printSavedTime(const EffectUse& use)
+{
     const long others = use.steps - use.atRest;
     info("Proved at rest: {} of {} steps, in {:.3g} s, proofs included; the others took {:.3g} s", use.atRest,
          use.steps, use.secondsAtRest, use.secondsOfOthers);
     if (use.verified > 0)
     {
         const double full = use.secondsOfVerified / static_cast<double>(use.verified);
-        const double saved = full * steps - use.secondsAtRest - use.secondsOfOthers;
+        const double saved = full * static_cast<double>(use.steps) - use.secondsAtRest - use.secondsOfOthers;
         info("Verified with all effects of the case: {} steps, largest difference {:.3g} m at {:g} s; {:.3g} "
              "s a step, so that {}",
              use.verified, use.largestDifference, use.timeOfLargestDifference, full,
@@ -299,6 +304,23 @@ void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
         info("Saved: {}, at {:.3g} s for a step without proof; verifyInterval measures it",
              saved > 0 ? fmt::format("about {:.3g} s", saved) : "nothing", full);
     }
+}
+
+} // namespace
+
+template<int Dim>
+void printEffectUse(const DynamicCase<Dim>& scene, const Motion<Dim>& motion)
+{
+    const ChosenEffects& effects = scene.schemes.effects;
+    const EffectUse& use = motion.effectUse;
+    if (effects.selection != EffectSelection::automatic || use.steps == 0)
+    {
+        return;
+    }
+    info("Effects as the steps called for them (margin {:g})", effects.margin);
+    printCalls(use, namesOfEffects(scene));
+    printWholeSteps(scene, use);
+    printSavedTime(use);
     printLine();
 }
 

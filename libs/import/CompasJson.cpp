@@ -288,55 +288,64 @@ private:
         {
             defaults = mesh.member("dva");
         }
-        std::unordered_map<std::string, int> vertexOf;
         if (!mesh)
         {
             fail(wrapped, "A mesh is expected here.");
         }
+        std::unordered_map<std::string, int> vertexOf;
         const Place vertices = mesh.member("vertex");
         for (const auto& [key, vertex] : members(vertices, "the vertices of a mesh"))
         {
-            const Place place{&vertex, vertices.path + "/" + shown(key)};
-            Vector<3> position = Vector<3>::Zero();
-            for (int axis = 0; axis < 3; ++axis)
-            {
-                const std::string_view coordinate =
-                    std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1);
-                if (const Place own = place.member(coordinate);
-                    own.value != nullptr) // null: could not be computed
-                {
-                    position[axis] = number(own);
-                }
-                else if (const Place usual = defaults ? defaults.member(coordinate) : defaults)
-                {
-                    position[axis] = number(usual);
-                }
-                else
-                {
-                    fail(place,
-                         fmt::format("This vertex has no {}, and the mesh no default of it.", coordinate));
-                }
-            }
             vertexOf[key] = static_cast<int>(solid.vertices.size());
-            solid.vertices.push_back(position);
+            solid.vertices.push_back(vertexPosition({&vertex, vertices.path + "/" + shown(key)}, defaults));
         }
         const Place faces = mesh.member("face");
         for (const auto& [key, face] : members(faces, "the faces of a mesh"))
         {
-            const Place place{&face, faces.path + "/" + shown(key)};
-            const JsonValue::List* list = face.asList();
-            if (list == nullptr || list->size() < 3)
-            {
-                fail(place, "A face is a list of at least 3 vertices.");
-            }
-            std::vector<int> corners;
-            for (const JsonValue& corner : *list)
-            {
-                corners.push_back(vertexNamed(corner, vertexOf, place));
-            }
-            solid.faces.push_back(std::move(corners));
+            solid.faces.push_back(faceCorners({&face, faces.path + "/" + shown(key)}, vertexOf));
         }
         solids.solids.push_back(std::move(solid));
+    }
+
+    /// \param defaults of the mesh, or nothing
+    Vector<3> vertexPosition(const Place& place, const Place& defaults) const
+    {
+        Vector<3> position = Vector<3>::Zero();
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const std::string_view coordinate =
+                std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1);
+            if (const Place own = place.member(coordinate);
+                own.value != nullptr) // null: could not be computed
+            {
+                position[axis] = number(own);
+            }
+            else if (const Place usual = defaults ? defaults.member(coordinate) : defaults)
+            {
+                position[axis] = number(usual);
+            }
+            else
+            {
+                fail(place, fmt::format("This vertex has no {}, and the mesh no default of it.", coordinate));
+            }
+        }
+        return position;
+    }
+
+    std::vector<int> faceCorners(const Place& face,
+                                 const std::unordered_map<std::string, int>& vertexOf) const
+    {
+        const JsonValue::List* list = face.value->asList();
+        if (list == nullptr || list->size() < 3)
+        {
+            fail(face, "A face is a list of at least 3 vertices.");
+        }
+        std::vector<int> corners;
+        for (const JsonValue& corner : *list)
+        {
+            corners.push_back(vertexNamed(corner, vertexOf, face));
+        }
+        return corners;
     }
 
     /// Keys are texts in objects, and numbers in lists.

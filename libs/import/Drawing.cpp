@@ -173,9 +173,40 @@ std::optional<double> toleranceOfRounding(const Assembly<2>& assembly, double ro
     return tolerance;
 }
 
-} // namespace
+/// Outlines that become no blocks.
+struct LeftOut
+{
+    std::size_t elsewhere = 0; ///< on other layers
+    std::size_t twice = 0;     ///< drawn more than once
+    int firstTwice = 0;        ///< line of the first of these
+};
 
-Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings, const ImportedFile& file)
+void printLeftOut(const Drawing& drawing, const LeftOut& leftOut)
+{
+    for (const std::string& ignored : drawing.ignored)
+    {
+        info("Import: left out {}", ignored);
+    }
+    if (leftOut.elsewhere > 0)
+    {
+        info("Import: left out {} outlines on other layers", leftOut.elsewhere);
+    }
+    if (leftOut.twice > 0)
+    {
+        info("Import: left out {} outlines that are drawn more than once, the first in line {}",
+             leftOut.twice, leftOut.firstTwice);
+    }
+}
+
+/// Whether an outline is on one of the layers that are imported, all where none is named.
+bool isOnLayers(const DrawnOutline& drawn, const DrawingSettings& settings)
+{
+    return settings.layers.empty()
+           || std::any_of(settings.layers.begin(), settings.layers.end(),
+                          [&](const std::string& layer) { return isOnLayer(drawn, layer); });
+}
+
+void refuseWithoutOutlines(const Drawing& drawing, const ImportedFile& file)
 {
     if (drawing.outlines.empty())
     {
@@ -187,47 +218,38 @@ Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings,
                                              "copies and curves as such.",
                                              fmt::join(drawing.ignored, ", "))));
     }
+}
+
+} // namespace
+
+Assembly<2> drawnBlocks(const Drawing& drawing, const DrawingSettings& settings, const ImportedFile& file)
+{
+    refuseWithoutOutlines(drawing, file);
     refuseUnknownLayers(drawing, settings, file);
     const double scale = settings.scale.value_or(drawing.unit.value_or(1));
     Assembly<2> assembly;
     ZoneList zones;
-    std::size_t elsewhere = 0;
-    std::size_t twice = 0;
-    int firstTwice = 0;
+    LeftOut leftOut;
     std::set<std::vector<std::pair<double, double>>> known;
     std::set<std::string> layersOfBlocks;
     for (const DrawnOutline& drawn : drawing.outlines)
     {
-        if (!settings.layers.empty()
-            && std::none_of(settings.layers.begin(), settings.layers.end(),
-                            [&](const std::string& layer) { return isOnLayer(drawn, layer); }))
+        if (!isOnLayers(drawn, settings))
         {
-            ++elsewhere;
+            ++leftOut.elsewhere;
             continue;
         }
         Polygon outline = soundOutline(drawn, scale, settings, assembly.blocks.size(), file);
         if (!known.insert(fromLeastCorner(outline)).second)
         {
-            firstTwice = twice++ == 0 ? drawn.line : firstTwice;
+            leftOut.firstTwice = leftOut.twice++ == 0 ? drawn.line : leftOut.firstTwice;
             continue;
         }
         layersOfBlocks.insert(drawn.layer);
         zones.add(drawn.layer, static_cast<int>(assembly.blocks.size()));
         assembly.blocks.push_back({std::move(outline), settings.thickness});
     }
-    for (const std::string& ignored : drawing.ignored)
-    {
-        info("Import: left out {}", ignored);
-    }
-    if (elsewhere > 0)
-    {
-        info("Import: left out {} outlines on other layers", elsewhere);
-    }
-    if (twice > 0)
-    {
-        info("Import: left out {} outlines that are drawn more than once, the first in line {}", twice,
-             firstTwice);
-    }
+    printLeftOut(drawing, leftOut);
     questionOpenLines(drawing, layersOfBlocks, file);
     info("Import: a unit of the drawing is {:g} m, {}", scale,
          settings.scale ? "as `scale` says"

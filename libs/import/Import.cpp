@@ -5,6 +5,7 @@
 #include "core/ByteOrderMark.h"
 #include "core/Log.h"
 #include "core/NamedFile.h"
+#include "core/ShownList.h"
 
 #include <fmt/format.h>
 
@@ -118,18 +119,13 @@ constexpr const char* docOfOffset =
 template<int Dim>
 void printZones(const Assembly<Dim>& assembly)
 {
-    constexpr std::size_t most = 20;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(most, assembly.zones.size()); ++i)
+    std::vector<std::string> zones;
+    for (const Zone& zone : assembly.zones)
     {
-        text += fmt::format("{}{} ({})", i > 0 ? ", " : "", assembly.zones[i].name,
-                            assembly.zones[i].blocks.size());
+        zones.push_back(fmt::format("{} ({})", zone.name, zone.blocks.size()));
     }
-    if (assembly.zones.size() > most)
-    {
-        text += fmt::format(" and {} more", assembly.zones.size() - most);
-    }
-    info("Import: {} blocks{}{}", assembly.blocks.size(), text.empty() ? "" : ", zones ", text);
+    info("Import: {} blocks{}{}", assembly.blocks.size(), zones.empty() ? "" : ", zones ",
+         shownList(zones, 20));
 }
 
 } // namespace

@@ -186,6 +186,41 @@ void addRotation(Field& field, const Placement<3>& placement)
 
 } // namespace
 
+namespace
+{
+
+/// By how much the corners of a block have moved.
+template<int Dim>
+std::vector<Vector<Dim>> movesOf(const Block<Dim>& block, std::vector<Vector<Dim>> placed)
+{
+    const std::vector<Vector<Dim>> built = cornersOf(block);
+    for (std::size_t k = 0; k < placed.size(); ++k)
+    {
+        placed[k] -= built[k];
+    }
+    return placed;
+}
+
+/// Adds the cells of a block. \param moved of each of its corners \return how many they are
+template<int Dim>
+std::size_t addBlockCells(PolyData<Dim>& data, Field& pointDisplacement, const Block<Dim>& block,
+                          const std::vector<Vector<Dim>>& placed, const std::vector<Vector<Dim>>& moved)
+{
+    const auto cells = cellsOf(block, placed);
+    for (const std::vector<int>& cell : cells)
+    {
+        data.cellSizes.push_back(static_cast<int>(cell.size()));
+        for (const int corner : cell)
+        {
+            data.points.push_back(placed[static_cast<std::size_t>(corner)]);
+            addVector(pointDisplacement, moved[static_cast<std::size_t>(corner)].data());
+        }
+    }
+    return cells.size();
+}
+
+} // namespace
+
 template<int Dim>
 PolyData<Dim> blockFrame(const Assembly<Dim>& assembly, const std::vector<Placement<Dim>>& placements,
                          std::vector<Field> fields)
@@ -209,26 +244,13 @@ PolyData<Dim> blockFrame(const Assembly<Dim>& assembly, const std::vector<Placem
     for (std::size_t i = 0; i < count; ++i)
     {
         const Placement<Dim> placement = placements.empty() ? Placement<Dim>{} : placements[i];
-        std::vector<Vector<Dim>> moved = placed[i];
-        const std::vector<Vector<Dim>> built = cornersOf(assembly.blocks[i]);
-        for (std::size_t k = 0; k < moved.size(); ++k)
-        {
-            moved[k] -= built[k];
-        }
+        const std::vector<Vector<Dim>> moved = movesOf(assembly.blocks[i], placed[i]);
         if (isGround(assembly, assembly.blocks[i]))
         {
             clampSideways<Dim>(placed[i], shown);
         }
-        for (const std::vector<int>& cell : cellsOf(assembly.blocks[i], placed[i]))
-        {
-            data.cellSizes.push_back(static_cast<int>(cell.size()));
-            for (const int corner : cell)
-            {
-                data.points.push_back(placed[i][static_cast<std::size_t>(corner)]);
-                addVector(pointDisplacement, moved[static_cast<std::size_t>(corner)].data());
-            }
-            blockOfCell.push_back(i);
-        }
+        blockOfCell.insert(blockOfCell.end(),
+                           addBlockCells(data, pointDisplacement, assembly.blocks[i], placed[i], moved), i);
         blockId.values.push_back(static_cast<double>(i));
         support.values.push_back(assembly.blocks[i].support);
         addVector(displacement, placement.translation.data());

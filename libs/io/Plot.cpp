@@ -104,43 +104,45 @@ struct Frame
 /// Between a text and the edge of the picture [px].
 constexpr double edge = 8;
 
-void paintAxes(Canvas& drawing, const Plot& plot, const Frame& frame, const std::vector<double>& xTicks,
-               const std::vector<double>& yTicks, double yLabelRoom)
+/// Visits the values between the powers of ten of an axis of less than eight.
+template<class Visit>
+void visitMinorValues(const AxisRange& range, const Visit& visit)
+{
+    if (range.scale != AxisScale::logarithmic || std::log10(range.upper / range.lower) > 8)
+    {
+        return;
+    }
+    for (double power = std::pow(10, std::floor(std::log10(range.lower))); power < range.upper; power *= 10)
+    {
+        for (int factor = 2; factor < 10; ++factor)
+        {
+            if (factor * power > range.lower && factor * power < range.upper)
+            {
+                visit(factor * power);
+            }
+        }
+    }
+}
+
+void paintGrid(Canvas& drawing, const Frame& frame, const std::vector<double>& xTicks,
+               const std::vector<double>& yTicks)
 {
     const ShapeStyle grid{.stroke = "#e2e2e2", .strokeWidth = 1};
     const ShapeStyle faint{.stroke = "#f3f3f3", .strokeWidth = 1};
     const double bottom = frame.top + frame.height;
     const double right = frame.left + frame.width;
-    const auto minor = [&](const AxisRange& range, const auto& paint)
-    {
-        if (range.scale != AxisScale::logarithmic || std::log10(range.upper / range.lower) > 8)
-        {
-            return;
-        }
-        for (double power = std::pow(10, std::floor(std::log10(range.lower))); power < range.upper;
-             power *= 10)
-        {
-            for (int factor = 2; factor < 10; ++factor)
-            {
-                if (factor * power > range.lower && factor * power < range.upper)
-                {
-                    paint(factor * power);
-                }
-            }
-        }
-    };
-    minor(frame.x,
-          [&](double value)
-          {
-              const double x = frame(value, frame.y.lower).x();
-              drawing.line({x, frame.top}, {x, bottom}, faint);
-          });
-    minor(frame.y,
-          [&](double value)
-          {
-              const double y = frame(frame.x.lower, value).y();
-              drawing.line({frame.left, y}, {right, y}, faint);
-          });
+    visitMinorValues(frame.x,
+                     [&](double value)
+                     {
+                         const double x = frame(value, frame.y.lower).x();
+                         drawing.line({x, frame.top}, {x, bottom}, faint);
+                     });
+    visitMinorValues(frame.y,
+                     [&](double value)
+                     {
+                         const double y = frame(frame.x.lower, value).y();
+                         drawing.line({frame.left, y}, {right, y}, faint);
+                     });
     for (const double value : xTicks)
     {
         const double x = frame(value, frame.y.lower).x();
@@ -155,10 +157,16 @@ void paintAxes(Canvas& drawing, const Plot& plot, const Frame& frame, const std:
         drawing.text({frame.left - 8, y + 4.4}, tickLabel(value, frame.y.scale),
                      {.size = 12.5, .anchor = TextAnchor::end});
     }
+}
+
+void paintAxes(Canvas& drawing, const Plot& plot, const Frame& frame, const std::vector<double>& xTicks,
+               const std::vector<double>& yTicks, double yLabelRoom)
+{
+    paintGrid(drawing, frame, xTicks, yTicks);
     drawing.rectangle({frame.left, frame.top}, frame.width, frame.height,
                       {.stroke = "#555555", .strokeWidth = 1});
-    drawing.textWithin(frame.width, {frame.left + frame.width / 2, bottom + 43}, plot.x.label,
-                       {.size = 13.5, .anchor = TextAnchor::middle});
+    drawing.textWithin(frame.width, {frame.left + frame.width / 2, frame.top + frame.height + 43},
+                       plot.x.label, {.size = 13.5, .anchor = TextAnchor::middle});
     const double room = drawing.height - 2 * edge;
     const double half = std::min(room, textWidth(plot.y.label, 13.5)) / 2;
     const double middle = std::clamp(frame.top + frame.height / 2, edge + half, drawing.height - edge - half);

@@ -51,6 +51,47 @@ double tickStep(double span)
     return 10 * power;
 }
 
+/// Values from the least to the largest.
+struct Span
+{
+    double lower = 0;
+    double upper = 0;
+};
+
+Span widenedByDecades(const Span& values)
+{
+    const double decades = std::log10(values.upper / values.lower);
+    if (decades < 0.1)
+    {
+        return {values.lower / 2, values.upper * 2};
+    }
+    return {values.lower * std::pow(10, -0.06 * decades), values.upper * std::pow(10, 0.06 * decades)};
+}
+
+/// With room at both ends but at zero, down to which values go on that are not far above.
+Span widened(Span values)
+{
+    if (values.lower > 0 && values.lower < 0.4 * values.upper)
+    {
+        values.lower = 0;
+    }
+    double span = values.upper - values.lower;
+    const bool isFlat = !(span > 1e-12 * std::max(std::abs(values.lower), std::abs(values.upper)));
+    if (isFlat)
+    {
+        span = values.upper == 0 ? 10 : 10 * std::abs(values.upper);
+    }
+    if (values.lower != 0 || isFlat)
+    {
+        values.lower -= 0.05 * span;
+    }
+    if (values.upper != 0 || isFlat)
+    {
+        values.upper += 0.05 * span;
+    }
+    return values;
+}
+
 } // namespace
 
 double AxisRange::part(double value) const
@@ -60,55 +101,19 @@ double AxisRange::part(double value) const
 
 AxisRange chooseRange(const PlotAxis& axis, const std::vector<double>& values)
 {
-    double lower = std::numeric_limits<double>::max();
-    double upper = std::numeric_limits<double>::lowest();
+    Span span{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
     for (const double value : values)
     {
-        lower = std::min(lower, value);
-        upper = std::max(upper, value);
+        span.lower = std::min(span.lower, value);
+        span.upper = std::max(span.upper, value);
     }
     const bool logarithmic = axis.scale == AxisScale::logarithmic;
-    if (lower > upper)
+    if (span.lower > span.upper)
     {
-        lower = logarithmic ? 1 : 0;
-        upper = logarithmic ? 10 : 1;
+        span = logarithmic ? Span{1, 10} : Span{0, 1};
     }
-    if (logarithmic)
-    {
-        const double decades = std::log10(upper / lower);
-        if (decades < 0.1)
-        {
-            lower /= 2;
-            upper *= 2;
-        }
-        else
-        {
-            lower *= std::pow(10, -0.06 * decades);
-            upper *= std::pow(10, 0.06 * decades);
-        }
-    }
-    else
-    {
-        if (lower > 0 && lower < 0.4 * upper)
-        {
-            lower = 0;
-        }
-        double span = upper - lower;
-        const bool isFlat = !(span > 1e-12 * std::max(std::abs(lower), std::abs(upper)));
-        if (isFlat)
-        {
-            span = upper == 0 ? 10 : 10 * std::abs(upper);
-        }
-        if (lower != 0 || isFlat)
-        {
-            lower -= 0.05 * span;
-        }
-        if (upper != 0 || isFlat)
-        {
-            upper += 0.05 * span;
-        }
-    }
-    const AxisRange range{axis.lower.value_or(lower), axis.upper.value_or(upper), axis.scale};
+    span = logarithmic ? widenedByDecades(span) : widened(span);
+    const AxisRange range{axis.lower.value_or(span.lower), axis.upper.value_or(span.upper), axis.scale};
     if (!std::isfinite(range.lower) || !std::isfinite(range.upper) || !(range.lower < range.upper)
         || (logarithmic && range.lower <= 0))
     {

@@ -105,6 +105,54 @@ bool holdsStateAlone(const fs::path& directory)
         {state.file.string(), "", 1});
 }
 
+void checkFinite(const std::string& name, double value)
+{
+    if (!std::isfinite(value))
+    {
+        throw FatalError(fmt::format("{} of the state to be written is not a finite number.", name));
+    }
+}
+
+void addTexts(std::string& text, const std::string& name, const std::vector<std::string>& lines)
+{
+    const auto out = std::back_inserter(text);
+    fmt::format_to(out, "\n{} {}\n(\n", name, lines.size());
+    for (const std::string& line : lines)
+    {
+        if (line.find_first_of("\"\\\n") != std::string::npos)
+        {
+            throw FatalError(
+                fmt::format("{} of the state to be written cannot be put between quotes: {}", name, line));
+        }
+        fmt::format_to(out, "\"{}\"\n", line);
+    }
+    text += ");\n";
+}
+
+void addValues(std::string& text, const std::string& name, const std::vector<double>& values,
+               WriteFormat format)
+{
+    for (const double value : values)
+    {
+        checkFinite(name, value);
+    }
+    const auto out = std::back_inserter(text);
+    if (format == WriteFormat::binary)
+    {
+        fmt::format_to(out, "\n{} List<scalar> {}(", name, values.size());
+        text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double));
+    }
+    else
+    {
+        fmt::format_to(out, "\n{} {}\n(\n", name, values.size());
+        for (const double value : values)
+        {
+            addLine(text, value);
+        }
+    }
+    text += ");\n";
+}
+
 } // namespace
 
 double stateScalar(const State& state, const std::string& name)
@@ -137,13 +185,6 @@ const std::vector<double>& stateArray(const State& state, const std::string& nam
 
 std::string stateText(const State& state, WriteFormat format)
 {
-    const auto check = [](const std::string& name, double value)
-    {
-        if (!std::isfinite(value))
-        {
-            throw FatalError(fmt::format("{} of the state to be written is not a finite number.", name));
-        }
-    };
     std::string text;
     const auto out = std::back_inserter(text);
     fmt::format_to(out,
@@ -154,43 +195,16 @@ std::string stateText(const State& state, WriteFormat format)
     // fmt writes the fewest digits that read back as the same number: at most 17.
     for (const auto& [name, value] : state.scalars)
     {
-        check(name, value);
+        checkFinite(name, value);
         fmt::format_to(out, "{} {};\n", name, value);
     }
     for (const auto& [name, texts] : state.texts)
     {
-        fmt::format_to(out, "\n{} {}\n(\n", name, texts.size());
-        for (const std::string& line : texts)
-        {
-            if (line.find_first_of("\"\\\n") != std::string::npos)
-            {
-                throw FatalError(fmt::format("{} of the state to be written cannot be put between quotes: {}",
-                                             name, line));
-            }
-            fmt::format_to(out, "\"{}\"\n", line);
-        }
-        text += ");\n";
+        addTexts(text, name, texts);
     }
     for (const auto& [name, values] : state.arrays)
     {
-        for (const double value : values)
-        {
-            check(name, value);
-        }
-        if (format == WriteFormat::binary)
-        {
-            fmt::format_to(out, "\n{} List<scalar> {}(", name, values.size());
-            text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double));
-        }
-        else
-        {
-            fmt::format_to(out, "\n{} {}\n(\n", name, values.size());
-            for (const double value : values)
-            {
-                addLine(text, value);
-            }
-        }
-        text += ");\n";
+        addValues(text, name, values, format);
     }
     return text + checksumLine(text);
 }

@@ -1,14 +1,12 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Paths from forces moved inwards, pairs refined, and exchanges until the multiplier falls no more.
+/// Paths from forces moved inwards, and exchanges until the multiplier falls no more.
 #include "statics/CollapseSearch.h"
 
 #include "core/Log.h"
 #include "statics/FictitiousCohesion.h"
-#include "statics/PairRefinement.h"
 #include "statics/StepFromRest.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -32,9 +30,6 @@ constexpr int mostPathPoints = 4000;
 /// gamma of the first path, whose mechanism is that of the associative law; later ones have 1.01 to 2.
 constexpr double firstPenalty = 5;
 
-/// Forces at the start of a path are moved inwards by this share of those for the dead load.
-constexpr double inwards = 0.01;
-
 /// Every so many paths begin with other forces for the dead load, from a random objective: those that end
 /// lowest mostly do. Until one has met a collapse they are fewer, as they meet one less often.
 constexpr int pathsToOtherForces = 3;
@@ -54,10 +49,6 @@ constexpr double startTolerance = 1e-6;
 /// And of those whose forces are to be near the middle of what is possible.
 constexpr double cohesionTolerance = 1e-2;
 
-/// Pairs that obey the law to this are refined, with points of less slip than each of these in turn at rest.
-constexpr double nearlyPair = 2e-3;
-constexpr std::array<double, 3> slidesFrom{1e-6, 1e-4, 1e-2};
-
 /// Exchanges of forces and mechanism after a path, while each lowers the multiplier by this share.
 constexpr int mostExchanges = 8;
 constexpr double leastGain = 1e-7;
@@ -69,22 +60,22 @@ CollapseSearch<Rows, Forces>::CollapseSearch(const Program& program, const NonAs
                                              const InteriorPointSettings& solver, LimitAnalysis& work)
     : followsPaths(program.points() <= mostPathPoints),
       frame(program),
-      structure(program),
       given(frame.program),
       searchSettings(settings),
       solverSettings(solver),
       effort(work),
       generator(static_cast<std::mt19937::result_type>(settings.seed)),
+      criterion{program, frame, settings.tolerance, std::numeric_limits<double>::infinity()},
       begin(clockTime())
 {
-    range.lowest = std::numeric_limits<double>::infinity();
-    range.highest = -range.lowest;
-    range.associative = range.lowest;
+    found.range.lowest = std::numeric_limits<double>::infinity();
+    found.range.highest = -found.range.lowest;
+    found.range.associative = found.range.lowest;
     if (work.status != CollapseStatus::optimal)
     {
         return;
     }
-    range.associative = work.alpha;
+    found.range.associative = work.alpha;
     LimitAnalysis own = work;
     if (Forces == 3)
     {
@@ -98,32 +89,34 @@ CollapseSearch<Rows, Forces>::CollapseSearch(const Program& program, const NonAs
     {
         associativePair = {
             own.alpha, own.contactForce, own.mechanism / given.liveLoad.dot(own.mechanism), {}};
+        criterion.most = own.alpha;
     }
 }
 
 template<int Rows, int Forces>
 bool CollapseSearch<Rows, Forces>::findRest()
 {
-    Program dead = given;
-    dead.liveLoad.resize(0);
-    const ConeSolution resting = solveRoughly(dead, startTolerance);
-    restingStart.contactForce = resting.contactForce;
-    return resting.status == SolveStatus::optimal;
+    std::optional<VectorXd> resting = restingForces(given, roughSolver(startTolerance));
+    if (resting)
+    {
+        restingForce = std::move(*resting);
+    }
+    return resting.has_value();
 }
 
 template<int Rows, int Forces>
 bool CollapseSearch<Rows, Forces>::isOver()
 {
-    if (!range.cutShortAfter)
+    if (!found.range.cutShortAfter)
     {
         const double taken = clockTime() - begin;
         if ((searchSettings.maximumTime && taken >= *searchSettings.maximumTime)
             || (searchSettings.isOver && searchSettings.isOver()))
         {
-            range.cutShortAfter = taken;
+            found.range.cutShortAfter = taken;
         }
     }
-    return range.cutShortAfter.has_value();
+    return found.range.cutShortAfter.has_value();
 }
 
 template<int Rows, int Forces>
@@ -135,39 +128,42 @@ bool CollapseSearch<Rows, Forces>::isCheap() const
 template<int Rows, int Forces>
 void CollapseSearch<Rows, Forces>::go(int number)
 {
-    ++range.starts;
-    double spread = number == 0 ? firstSpread : number == 1 ? secondSpread : largestSpread * uniform();
-    const int toOtherForces = lowest.exists() ? pathsToOtherForces : pathsToOtherForcesAtFirst;
-    std::optional<Start> start;
+    ++found.range.starts;
+    double spread = number == 0   ? firstSpread
+                    : number == 1 ? secondSpread
+                                  : largestSpread * uniform(generator);
+    const int toOtherForces = found.lowest.exists() ? pathsToOtherForces : pathsToOtherForcesAtFirst;
+    std::optional<CollapseStart> start;
     if (number == 0)
     {
-        start = associativePair.exists() ? lowForces(associativePair, firstPenalty) : std::nullopt;
+        start = associativePair.exists() ? lowStart(associativePair, firstPenalty) : std::nullopt;
     }
     else if (number % toOtherForces == toOtherForces - 1)
     {
         start = otherRest();
     }
-    else if (number > 1 && lowest.exists())
+    else if (number > 1 && found.lowest.exists())
     {
-        const double gamma = 1 + std::pow(10, -2 * uniform());
-        start = lowForces(number % 2 == 1 ? lowest : latestPair, gamma);
+        const double gamma = 1 + std::pow(10, -2 * uniform(generator));
+        start = lowStart(number % 2 == 1 ? found.lowest : found.latest, gamma);
     }
     else if (number > 1)
     {
-        spread = largestSpread * uniform();
+        spread = largestSpread * uniform(generator);
     }
     const CollapsePathSettings settings{.stiffnessSpread = spread,
                                         .seed = static_cast<unsigned>(generator())};
-    const Start from = start.value_or(restingStart);
+    const CollapseStart from = start.value_or(CollapseStart{0, restingForce});
     if (!followsPaths)
     {
-        range.converged += followCohesion(from);
+        found.range.converged += followCohesion(from);
         return;
     }
-    range.converged += follow(from, settings) || (wedges && !lowest.exists() && followWedged(from, settings));
-    if (lowest.exists() && Forces == 3 && !isOver())
+    found.range.converged +=
+        follow(from, settings) || (wedges && !found.lowest.exists() && followWedged(from, settings));
+    if (found.lowest.exists() && Forces == 3 && !isOver())
     {
-        tryPressures(number == 0 ? restingStart.contactForce : from.contactForce);
+        tryPressures(number == 0 ? restingForce : from.contactForce);
     }
 }
 
@@ -178,7 +174,7 @@ void CollapseSearch<Rows, Forces>::takeAssociativeForces()
     {
         return;
     }
-    ++range.starts;
+    ++found.range.starts;
     std::optional<VectorXd> mechanism =
         mechanismOf<Rows, Forces>(given, associativePair.contactForce, solver());
     if (mechanism)
@@ -186,7 +182,7 @@ void CollapseSearch<Rows, Forces>::takeAssociativeForces()
         CoulombPair pair{associativePair.alpha, associativePair.contactForce, std::move(*mechanism), {}};
         if (take(pair))
         {
-            ++range.converged;
+            ++found.range.converged;
             descend(std::move(pair));
         }
     }
@@ -199,19 +195,20 @@ void CollapseSearch<Rows, Forces>::takeStepsFromRest()
     {
         return;
     }
-    for (const VectorXd* forces : {&associativePair.contactForce, &restingStart.contactForce})
+    for (const VectorXd* forces : {&associativePair.contactForce, &restingForce})
     {
         if (isOver())
         {
             return;
         }
-        ++range.starts;
+        ++found.range.starts;
         std::optional<CoulombPair> pair = pairFromRest<Rows, Forces>(
-            given, associativePair.alpha, *forces, [this](CoulombPair& tried) { return consider(tried); },
-            effort.factorisations, [this] { return isOver(); });
+            given, associativePair.alpha, *forces,
+            [this](CoulombPair& tried) { return consider(tried, criterion, found); }, effort.factorisations,
+            untilOver());
         if (pair)
         {
-            ++range.converged;
+            ++found.range.converged;
             descend(std::move(*pair));
             return;
         }
@@ -237,11 +234,17 @@ ProgramSolver<Rows, Forces> CollapseSearch<Rows, Forces>::solver()
 }
 
 template<int Rows, int Forces>
-ConeSolution CollapseSearch<Rows, Forces>::solveRoughly(const Program& program, double tolerance)
+ProgramSolver<Rows, Forces> CollapseSearch<Rows, Forces>::roughSolver(double tolerance)
 {
     InteriorPointSettings settings = solverSettings;
     settings.tolerance = std::max(solverSettings.tolerance, tolerance);
-    return solve(program, settings);
+    return [this, settings](const Program& program) { return solve(program, settings); };
+}
+
+template<int Rows, int Forces>
+std::function<bool()> CollapseSearch<Rows, Forces>::untilOver()
+{
+    return [this] { return isOver(); };
 }
 
 template<int Rows, int Forces>
@@ -250,19 +253,20 @@ void CollapseSearch<Rows, Forces>::report(int pieces, double multiplier) const
     if (searchSettings.observe)
     {
         searchSettings.observe(
-            {.path = range.starts,
+            {.path = found.range.starts,
              .pieces = pieces,
              .multiplier = multiplier,
-             .lowest = lowest.exists() ? lowest.alpha : std::numeric_limits<double>::infinity(),
+             .lowest = found.lowest.exists() ? found.lowest.alpha : std::numeric_limits<double>::infinity(),
              .isPath = followsPaths});
     }
 }
 
 template<int Rows, int Forces>
-CollapsePair CollapseSearch<Rows, Forces>::path(const Start& start, const CollapsePathSettings& settings)
+CollapsePair CollapseSearch<Rows, Forces>::path(const CollapseStart& start,
+                                                const CollapsePathSettings& settings)
 {
     CollapsePathSettings observed = settings;
-    observed.isOver = [this] { return isOver(); };
+    observed.isOver = untilOver();
     observed.observe = [this](int pieces, double multiplier) { report(pieces, multiplier); };
     CollapsePair pair = followCollapsePath(given, start.contactForce, start.alpha, observed);
     addWork(effort, {pair.pieces, pair.factorisations, pair.solves});
@@ -270,117 +274,23 @@ CollapsePair CollapseSearch<Rows, Forces>::path(const Start& start, const Collap
 }
 
 template<int Rows, int Forces>
-double CollapseSearch<Rows, Forces>::uniform()
+std::optional<CollapseStart> CollapseSearch<Rows, Forces>::otherRest()
 {
-    return static_cast<double>(generator()) / 4294967296.0;
+    const std::optional<VectorXd> other = randomRestingForces(given, generator, roughSolver(startTolerance));
+    return other ? std::optional(movedInwards(0, *other, restingForce)) : std::nullopt;
 }
 
 template<int Rows, int Forces>
-typename CollapseSearch<Rows, Forces>::Start
-CollapseSearch<Rows, Forces>::movedInwards(double alpha, const VectorXd& contactForce) const
+std::optional<CollapseStart> CollapseSearch<Rows, Forces>::lowStart(const CoulombPair& pair, double gamma)
 {
-    return {(1 - inwards) * alpha, (1 - inwards) * contactForce + inwards * restingStart.contactForce};
-}
-
-template<int Rows, int Forces>
-auto CollapseSearch<Rows, Forces>::otherRest() -> std::optional<Start>
-{
-    Program dead = given;
-    dead.liveLoad.resize(0);
-    dead.gap = VectorXd::Zero(Forces * given.points());
-    for (int point = 0; point < given.points(); ++point)
-    {
-        const double weight = std::pow(10, -2 * uniform());
-        dead.gap[Forces * point] = weight;
-        for (int shear = 1; shear < Forces; ++shear)
-        {
-            dead.gap[Forces * point + shear] = 0.3 * weight * (2 * uniform() - 1);
-        }
-    }
-    const ConeSolution other = solveRoughly(dead, startTolerance);
-    return other.status == SolveStatus::optimal ? std::optional(movedInwards(0, other.contactForce))
-                                                : std::nullopt;
-}
-
-template<int Rows, int Forces>
-auto CollapseSearch<Rows, Forces>::lowForces(const CoulombPair& pair, double gamma) -> std::optional<Start>
-{
-    Program reversed = given;
-    reversed.liveLoad = -given.liveLoad;
-    reversed.gap = VectorXd::Zero(Forces * given.points());
-    const VectorXd closing = applyTransposed(given, pair.mechanism);
-    for (int point = 0; point < given.points(); ++point)
-    {
-        const double slip = closing.template segment<Forces - 1>(Forces * point + 1).norm();
-        reversed.gap[Forces * point] = gamma
-                                       * (given.friction[static_cast<std::size_t>(point)] * slip
-                                          + std::max(0.0, -closing[Forces * point]));
-    }
-    const ConeSolution low = solveRoughly(reversed, startTolerance);
-    return low.status == SolveStatus::optimal ? std::optional(movedInwards(-low.multiplier, low.contactForce))
-                                              : std::nullopt;
-}
-
-template<int Rows, int Forces>
-CoulombResiduals CollapseSearch<Rows, Forces>::judged(const CoulombPair& pair, double liveWork) const
-{
-    const CoulombPair turned = frame.inGiven(pair);
-    return coulombResiduals(structure, turned.alpha, turned.contactForce, turned.mechanism, liveWork);
-}
-
-template<int Rows, int Forces>
-bool CollapseSearch<Rows, Forces>::consider(CoulombPair& pair)
-{
-    pair.alpha = std::min(pair.alpha, associativePair.alpha); // which it exceeds by rounding alone
-    pair.residuals = judged(pair, 1);
-    if (!(pair.residuals.worst() <= searchSettings.tolerance))
-    {
-        return false;
-    }
-    // Below zero the mechanism would be driven by the dead load, which is carried where loading begins. At
-    // zero, as where a stone that hangs at an edge turns about it, nothing drives it.
-    if (pair.alpha < (std::isfinite(range.associative) ? searchSettings.tolerance * range.associative : 0))
-    {
-        if (!below.exists() || pair.alpha > below.alpha)
-        {
-            below = pair;
-        }
-        return false;
-    }
-    range.lowest = std::min(range.lowest, pair.alpha);
-    range.highest = std::max(range.highest, pair.alpha);
-    latestPair = pair;
-    if (!(pair.alpha >= lowest.alpha))
-    {
-        lowest = pair;
-    }
-    return true;
-}
-
-template<int Rows, int Forces>
-void CollapseSearch<Rows, Forces>::considerFall(const CollapsePair& found)
-{
-    CoulombPair pair{found.multiplier, found.contactForce, found.mechanism, {}};
-    pair.residuals = judged(pair, 0);
-    if (pair.alpha >= 0 && pair.residuals.worst() <= searchSettings.tolerance && pair.alpha < fall.alpha)
-    {
-        range.fall = pair.alpha;
-        fall = std::move(pair);
-    }
+    const std::optional<CollapseStart> low = lowForces(given, pair, gamma, roughSolver(startTolerance));
+    return low ? std::optional(movedInwards(low->alpha, low->contactForce, restingForce)) : std::nullopt;
 }
 
 template<int Rows, int Forces>
 bool CollapseSearch<Rows, Forces>::take(CoulombPair& pair)
 {
-    const bool isFirst = !lowest.exists();
-    if (consider(pair))
-    {
-        isByRefinement = false;
-        return true;
-    }
-    const bool isRefined = refine(pair);
-    isByRefinement = isByRefinement || (isRefined && isFirst);
-    return isRefined;
+    return considerRefined(pair, criterion, found, solver(), untilOver());
 }
 
 template<int Rows, int Forces>
@@ -395,46 +305,11 @@ bool CollapseSearch<Rows, Forces>::takeMechanism(CoulombPair& pair)
 }
 
 template<int Rows, int Forces>
-bool CollapseSearch<Rows, Forces>::refine(CoulombPair& pair)
-{
-    const double worst = pair.residuals.worst();
-    if (!(worst <= nearlyPair) || worst <= searchSettings.tolerance) // of which one is below zero
-    {
-        return false;
-    }
-    for (const double slides : slidesFrom)
-    {
-        std::optional<CoulombPair> refined =
-            refinedPair<Rows, Forces>(given, pair, slides, [this] { return isOver(); });
-        if (!refined)
-        {
-            return false;
-        }
-        if (consider(*refined))
-        {
-            pair = std::move(*refined);
-            return true;
-        }
-        // Where the mechanism is right the forces that suit it are many, not all of them within their
-        // limits.
-        std::optional<CoulombPair> within = refined->residuals.flow <= searchSettings.tolerance
-                                                ? nearestPair<Rows, Forces>(given, *refined, solver())
-                                                : std::nullopt;
-        if (within && consider(*within))
-        {
-            pair = std::move(*within);
-            return true;
-        }
-    }
-    return false;
-}
-
-template<int Rows, int Forces>
-bool CollapseSearch<Rows, Forces>::followCohesion(const Start& start)
+bool CollapseSearch<Rows, Forces>::followCohesion(const CollapseStart& start)
 {
     const CohesionTools<Rows, Forces> tools{
-        [this](const Program& program) { return solveRoughly(program, cohesionTolerance); }, solver(),
-        [this](CoulombPair& pair) { return consider(pair); }, [this] { return isOver(); },
+        roughSolver(cohesionTolerance), solver(),
+        [this](CoulombPair& pair) { return consider(pair, criterion, found); }, untilOver(),
         [this](int round, double multiplier) { report(round, multiplier); }};
     std::optional<CoulombPair> pair = pairByCohesion<Rows, Forces>(given, start.contactForce, tools);
     if (pair)
@@ -445,19 +320,19 @@ bool CollapseSearch<Rows, Forces>::followCohesion(const Start& start)
 }
 
 template<int Rows, int Forces>
-bool CollapseSearch<Rows, Forces>::follow(const Start& start, const CollapsePathSettings& settings)
+bool CollapseSearch<Rows, Forces>::follow(const CollapseStart& start, const CollapsePathSettings& settings)
 {
-    CollapsePair found = path(start, settings);
-    if (found.end == PathEnd::fall)
+    CollapsePair ofPath = path(start, settings);
+    const double power = given.liveLoad.dot(ofPath.mechanism);
+    if (ofPath.end == PathEnd::fall)
     {
-        considerFall(found);
+        considerFall({ofPath.multiplier, ofPath.contactForce, ofPath.mechanism, {}}, criterion, found);
     }
-    const double power = given.liveLoad.dot(found.mechanism);
-    if ((found.end != PathEnd::collapse && found.end != PathEnd::unfinished) || power == 0)
+    if ((ofPath.end != PathEnd::collapse && ofPath.end != PathEnd::unfinished) || power == 0)
     {
         return false;
     }
-    CoulombPair pair{found.multiplier, std::move(found.contactForce), found.mechanism / power, {}};
+    CoulombPair pair{ofPath.multiplier, std::move(ofPath.contactForce), ofPath.mechanism / power, {}};
     if (!take(pair) && !(takesMechanisms && takeMechanism(pair)))
     {
         return false;
@@ -467,7 +342,7 @@ bool CollapseSearch<Rows, Forces>::follow(const Start& start, const CollapsePath
 }
 
 template<int Rows, int Forces>
-bool CollapseSearch<Rows, Forces>::followWedged(const Start& start, CollapsePathSettings settings)
+bool CollapseSearch<Rows, Forces>::followWedged(const CollapseStart& start, CollapsePathSettings settings)
 {
     settings.dilatancy = wedging;
     settings.finalDilatancy = remainingDilatancy * searchSettings.tolerance;
@@ -479,7 +354,8 @@ bool CollapseSearch<Rows, Forces>::followWedged(const Start& start, CollapsePath
     {
         return false;
     }
-    const Start near = movedInwards(associativePair.alpha, associativePair.contactForce);
+    const CollapseStart near =
+        movedInwards(associativePair.alpha, associativePair.contactForce, restingForce);
     CollapsePathSettings little = settings;
     little.dilatancy = settings.finalDilatancy;
     return follow(near, settings) || follow(near, little);
@@ -503,7 +379,7 @@ void CollapseSearch<Rows, Forces>::descend(CoulombPair pair)
     for (int round = 0; round < mostExchanges && !isOver(); ++round)
     {
         std::optional<LeastPair> least = leastPair<Rows, Forces>(given, pair, solver());
-        if (!least || !(least->pair.alpha < highest) || !consider(least->pair))
+        if (!least || !(least->pair.alpha < highest) || !consider(least->pair, criterion, found))
         {
             return;
         }

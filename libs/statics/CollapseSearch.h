@@ -1,15 +1,14 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The search for pairs of forces and mechanism by Coulomb's law: its moves, and what they have found. In
-/// which order they are made says NonAssociative.h.
+/// The search for pairs of forces and mechanism by Coulomb's law: its moves, from forces to start with
+/// (CollapseStart.h) to pairs (FoundPairs.h). In which order they are made says NonAssociative.h.
 #pragma once
 
 #include "conic/coulomb/CollapsePath.h"
 #include "conic/form/Form.h"
-#include "statics/CoulombExchange.h"
+#include "statics/CollapseStart.h"
+#include "statics/FoundPairs.h"
 #include "statics/NonAssociative.h"
-#include "statics/ProperFrame.h"
 
-#include <optional>
 #include <random>
 
 namespace drystone
@@ -53,70 +52,47 @@ public:
     bool wedges = Forces == 2;
     /// Whether starts are followed by paths, which have several pieces for each point, a factorisation each.
     bool followsPaths;
-    /// Whether all pairs are near the ends of paths, but were not met by them.
-    bool isByRefinement = false;
-    CoulombRange range;
+    FoundPairs found;
     ProperFrame<Rows, Forces> frame; ///< in which all forces and mechanisms here are
-    CoulombPair lowest;
-    CoulombPair fall;  ///< the lowest, on whose mechanism the live load does no work
-    CoulombPair below; ///< the highest of those below zero
 
 private:
-    /// Forces and what they carry in addition to the dead load.
-    struct Start
-    {
-        double alpha = 0;
-        Eigen::VectorXd contactForce;
-    };
-
     ConeSolution solve(const Program& program, const InteriorPointSettings& settings);
     /// What the exchanges of forces and mechanism solve their programs with.
     ProgramSolver<Rows, Forces> solver();
-    /// Of a program whose forces are nothing but a start.
-    ConeSolution solveRoughly(const Program& program, double tolerance);
+    /// Of programs whose forces are nothing but a start: to this tolerance, if it is larger.
+    ProgramSolver<Rows, Forces> roughSolver(double tolerance);
+    /// Whether the search is over, for what may take long.
+    std::function<bool()> untilOver();
     /// Reports to the observer how far a start has been followed.
     void report(int pieces, double multiplier) const;
-    CollapsePair path(const Start& start, const CollapsePathSettings& settings);
-    /// In [0, 1), the same on every machine.
-    double uniform();
+    CollapsePair path(const CollapseStart& start, const CollapsePathSettings& settings);
+    /// Forces for the dead load with little pressure at random points, moved inwards.
+    std::optional<CollapseStart> otherRest();
+    /// Forces of a low multiplier that suit the mechanism of a pair, moved inwards.
+    std::optional<CollapseStart> lowStart(const CoulombPair& pair, double gamma);
 
-    Start movedInwards(double alpha, const Eigen::VectorXd& contactForce) const;
-    /// Forces for the dead load with little pressure at random points.
-    std::optional<Start> otherRest();
-    /// Forces of a low multiplier that suit the mechanism of a pair.
-    std::optional<Start> lowForces(const CoulombPair& pair, double gamma);
-
-    /// How far a pair is from the law, in the structure. \param liveWork what the live load's work has to be
-    CoulombResiduals judged(const CoulombPair& pair, double liveWork) const;
-    /// Judges a pair, and takes it if it meets the tolerance. \return whether it does
-    bool consider(CoulombPair& pair);
-    /// Takes blocks that fall under the dead load alone.
-    void considerFall(const CollapsePair& found);
     /// Takes a pair, or one near it. \return whether there is one
     bool take(CoulombPair& pair);
     /// Where a stone slides between others nothing but rounding holds its motion across in the end of a path
     /// in space: its forces are right, and the mechanism follows from them. \return whether that is a pair
     bool takeMechanism(CoulombPair& pair);
-    /// Takes the pair to its last digits, where it is near one. \return whether that is one
-    bool refine(CoulombPair& pair);
 
     /// Programs with a cohesion in place of friction (FictitiousCohesion.h) from the pressures of a start,
     /// and the multiplier of their pair made least. \return whether they have led to a pair
-    bool followCohesion(const Start& start);
+    bool followCohesion(const CollapseStart& start);
     /// Follows a path, and makes the multiplier of its pair least. \return whether it has led to a pair
-    bool follow(const Start& start, const CollapsePathSettings& settings);
+    bool follow(const CollapseStart& start, const CollapsePathSettings& settings);
     /// The same with a little dilatancy, which is taken away at the end but for what the tolerance allows;
     /// from the start, and from the forces of the associative collapse, where less has to move until all is
     /// wedged.
-    bool followWedged(const Start& start, CollapsePathSettings settings);
+    bool followWedged(const CollapseStart& start, CollapsePathSettings settings);
     /// From the mechanism that pressures have (mechanismOfPressures) to the pairs nearby, if there are any.
     void tryPressures(const Eigen::VectorXd& contactForce);
     /// From a pair to lower ones: the least multiplier with its mechanism held, then another mechanism of
     /// those forces, in turn, while the multiplier falls.
     void descend(CoulombPair pair);
 
-    const Program& structure; ///< as it is in its own axes, in which pairs are judged
-    const Program& given;     ///< in the frame
+    const Program& given; ///< in the frame
     NonAssociativeSettings searchSettings;
     InteriorPointSettings solverSettings;
     LimitAnalysis& effort;
@@ -124,9 +100,9 @@ private:
     SymbolicAnalysis symbolicAnalysis; ///< of the last program: most have the same points
     std::mt19937 generator;
     CoulombPair associativePair; ///< where there is one; of the associative law
-    Start restingStart;
-    double begin; ///< on the clock [s]
-    CoulombPair latestPair;
+    PairCriterion<Rows, Forces> criterion;
+    Eigen::VectorXd restingForce; ///< for the dead load alone
+    double begin;                 ///< on the clock [s]
 };
 
 } // namespace drystone

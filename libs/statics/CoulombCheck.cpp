@@ -36,6 +36,75 @@ double largestOfBody(const VectorXd& rows, double momentFactor)
     return largest;
 }
 
+/// What residuals are relative to.
+struct ResidualUnits
+{
+    double load = 0; ///< the largest of a body
+    double force = 0;
+    double rate = 0;
+};
+
+template<int Rows, int Forces>
+ResidualUnits unitsOf(const ConeProgram<Rows, Forces>& program, double alpha, const VectorXd& contactForce,
+                      const VectorXd& mechanism, double lever)
+{
+    ResidualUnits units;
+    units.load = std::max(largestOfBody<Rows, Forces>(program.load, 1 / lever),
+                          std::abs(alpha) * largestOfBody<Rows, Forces>(program.liveLoad, 1 / lever));
+    units.force = units.load;
+    for (Eigen::Index row = 0; row < contactForce.size(); row += Forces)
+    {
+        units.force = std::max({units.force, std::abs(contactForce[row]),
+                                contactForce.template segment<Forces - 1>(row + 1).norm()});
+    }
+    units.rate = largestOfBody<Rows, Forces>(mechanism, lever);
+    return units;
+}
+
+/// Power at the limits of the points.
+struct LimitPower
+{
+    double dissipated = 0;
+    double excess = 0; ///< of that over what the forces do
+};
+
+/// What a point with its force and the rate at which it closes, normal first, adds to yield, flow and power.
+template<int Forces>
+void addPoint(const Eigen::Matrix<double, Forces, 1>& force, const Eigen::Matrix<double, Forces, 1>& closing,
+              const Strength& strength, double friction, const ResidualUnits& units,
+              CoulombResiduals& residuals, LimitPower& power)
+{
+    using Shear = Eigen::Matrix<double, Forces - 1, 1>;
+    const double normal = force[0];
+    const Shear shear = force.template tail<Forces - 1>();
+    const double limit = std::max(0.0, strength.cohesion + friction * normal);
+    const double pressing = normal + strength.tension;   // has to vanish where the point opens
+    const double uncrushed = strength.crushing - normal; // where it closes
+    residuals.yield =
+        std::max({residuals.yield, relative(-pressing, units.force), relative(-uncrushed, units.force),
+                  relative(shear.norm() - limit, units.force)});
+
+    const double opening = -closing[0];
+    const Shear slip = closing.template tail<Forces - 1>();
+    const double opens = std::min(relative(opening, units.rate), relative(pressing, units.force));
+    const double closes = std::min(relative(-opening, units.rate), relative(uncrushed, units.force));
+    double slides = 0;
+    if (slip.norm() > 0)
+    {
+        const Shear missing = limit * slip / slip.norm() - shear;
+        slides = std::min(relative(slip.norm(), units.rate), relative(missing.norm(), units.force));
+    }
+    residuals.flow = std::max({residuals.flow, opens, closes, slides});
+    if (opening < 0 && !strength.isBounded())
+    {
+        residuals.flow = std::max(residuals.flow, relative(-opening, units.rate));
+    }
+
+    power.dissipated += limit * slip.norm();
+    power.excess += limit * slip.norm() - shear.dot(slip);
+    power.excess += opening > 0 ? pressing * opening : strength.isBounded() ? -uncrushed * opening : 0;
+}
+
 } // namespace
 
 double CoulombResiduals::worst() const
@@ -49,23 +118,11 @@ template<int Rows, int Forces>
 CoulombResiduals coulombResiduals(const ConeProgram<Rows, Forces>& program, double alpha,
                                   const VectorXd& contactForce, const VectorXd& mechanism, double liveWork)
 {
-    using Shear = Eigen::Matrix<double, Forces - 1, 1>;
     const double lever = meanLeverArm(program);
-    const double largestLoad =
-        std::max(largestOfBody<Rows, Forces>(program.load, 1 / lever),
-                 std::abs(alpha) * largestOfBody<Rows, Forces>(program.liveLoad, 1 / lever));
-    double largestForce = largestLoad;
-    for (Eigen::Index row = 0; row < contactForce.size(); row += Forces)
-    {
-        largestForce = std::max({largestForce, std::abs(contactForce[row]),
-                                 contactForce.template segment<Forces - 1>(row + 1).norm()});
-    }
-    const double largestRate = largestOfBody<Rows, Forces>(mechanism, lever);
-
+    const ResidualUnits units = unitsOf(program, alpha, contactForce, mechanism, lever);
     CoulombResiduals residuals;
+    LimitPower power;
     VectorXd unbalanced = program.load + alpha * program.liveLoad;
-    double dissipated = 0; ///< at the limits
-    double excess = 0;     ///< of it over what the forces do
     for (int point = 0; point < program.points(); ++point)
     {
         const auto at = static_cast<std::size_t>(point);
@@ -73,40 +130,13 @@ CoulombResiduals coulombResiduals(const ConeProgram<Rows, Forces>& program, doub
         const Eigen::Matrix<double, Forces, 1> force = contactForce.template segment<Forces>(Forces * point);
         const Eigen::Matrix<double, Forces, 1> closing = closingOf(columns, mechanism);
         addForce<Rows, Forces>(columns, -force, unbalanced);
-        const Strength strength = program.strengthOf(at);
-        const double normal = force[0];
-        const Shear shear = force.template tail<Forces - 1>();
-        const double limit = std::max(0.0, strength.cohesion + program.friction[at] * normal);
-        const double pressing = normal + strength.tension;   // has to vanish where the point opens
-        const double uncrushed = strength.crushing - normal; // where it closes
-        residuals.yield =
-            std::max({residuals.yield, relative(-pressing, largestForce), relative(-uncrushed, largestForce),
-                      relative(shear.norm() - limit, largestForce)});
-
-        const double opening = -closing[0];
-        const Shear slip = closing.template tail<Forces - 1>();
-        const double opens = std::min(relative(opening, largestRate), relative(pressing, largestForce));
-        const double closes = std::min(relative(-opening, largestRate), relative(uncrushed, largestForce));
-        double slides = 0;
-        if (slip.norm() > 0)
-        {
-            const Shear missing = limit * slip / slip.norm() - shear;
-            slides = std::min(relative(slip.norm(), largestRate), relative(missing.norm(), largestForce));
-        }
-        residuals.flow = std::max({residuals.flow, opens, closes, slides});
-
-        dissipated += limit * slip.norm();
-        excess += limit * slip.norm() - shear.dot(slip);
-        excess += opening > 0 ? pressing * opening : strength.isBounded() ? -uncrushed * opening : 0;
-        if (opening < 0 && !strength.isBounded())
-        {
-            residuals.flow = std::max(residuals.flow, relative(-opening, largestRate));
-        }
+        addPoint<Forces>(force, closing, program.strengthOf(at), program.friction[at], units, residuals,
+                         power);
     }
-    residuals.balance = std::max(relative(largestOfBody<Rows, Forces>(unbalanced, 1 / lever), largestLoad),
+    residuals.balance = std::max(relative(largestOfBody<Rows, Forces>(unbalanced, 1 / lever), units.load),
                                  std::abs(program.liveLoad.dot(mechanism) - liveWork));
     residuals.mismatch =
-        relative(std::abs(excess), std::max(dissipated, std::abs(program.load.dot(mechanism))));
+        relative(std::abs(power.excess), std::max(power.dissipated, std::abs(program.load.dot(mechanism))));
     return residuals;
 }
 

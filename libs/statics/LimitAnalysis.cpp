@@ -101,6 +101,36 @@ LimitAnalysis solveLimitAnalysis(const ConeProgram<Rows, Forces>& program,
     return completedAnalysis(program, solveInteriorPoint(program, settings, &symbolic), settings, symbolic);
 }
 
+namespace
+{
+
+/// The analysis becomes that of a solution, whose dead load is carried.
+template<int Rows, int Forces>
+void takeSolution(LimitAnalysis& result, const ConeProgram<Rows, Forces>& program,
+                  const ConeSolution& solution, double tolerance)
+{
+    result.certificate = certify(program, solution);
+    result.contactForce = solution.contactForce;
+    switch (solution.status)
+    {
+    case SolveStatus::optimal:
+        result.status = CollapseStatus::optimal;
+        result.alpha = withoutRounding(solution.multiplier, program, tolerance);
+        result.mechanism = normalised(solution.displacement);
+        break;
+    case SolveStatus::unbounded:
+        result.status = CollapseStatus::unbounded;
+        break;
+    case SolveStatus::infeasible:
+    case SolveStatus::notConverged:
+        result.status = CollapseStatus::notConverged;
+        result.mechanism = normalised(solution.displacement);
+        break;
+    }
+}
+
+} // namespace
+
 template<int Rows, int Forces>
 LimitAnalysis completedAnalysis(const ConeProgram<Rows, Forces>& program, const ConeSolution& solution,
                                 const InteriorPointSettings& settings, SymbolicAnalysis& kept)
@@ -142,24 +172,7 @@ LimitAnalysis completedAnalysis(const ConeProgram<Rows, Forces>& program, const 
             keepOtherForces(result, dead, resting.contactForce);
         }
     }
-    result.certificate = certify(program, solution);
-    result.contactForce = solution.contactForce;
-    switch (solution.status)
-    {
-    case SolveStatus::optimal:
-        result.status = CollapseStatus::optimal;
-        result.alpha = withoutRounding(solution.multiplier, program, settings.tolerance);
-        result.mechanism = normalised(solution.displacement);
-        break;
-    case SolveStatus::unbounded:
-        result.status = CollapseStatus::unbounded;
-        break;
-    case SolveStatus::infeasible:
-    case SolveStatus::notConverged:
-        result.status = CollapseStatus::notConverged;
-        result.mechanism = normalised(solution.displacement);
-        break;
-    }
+    takeSolution(result, program, solution, settings.tolerance);
     return result;
 }
 

@@ -70,7 +70,7 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
     const auto goesOn = [&](int start)
     {
         const int further = start - starts;
-        const bool isFound = search.lowest.exists() && !search.isByRefinement;
+        const bool isFound = search.found.lowest.exists() && !search.found.isByRefinement;
         const bool goesLower = search.isCheap() || (Forces == 3 && vain < vainStarts);
         return further < 0 || further < (!isFound ? furtherStarts : goesLower ? mostStartsToLower : 0);
     };
@@ -78,10 +78,11 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
     {
         for (int start = 0; goesOn(start) && !search.isOver(); ++start)
         {
-            const double before = search.lowest.alpha;
+            const double before = search.found.lowest.alpha;
             search.go(start);
-            vain =
-                search.lowest.alpha < (1 - leastLowering) * before || !search.lowest.exists() ? 0 : vain + 1;
+            vain = search.found.lowest.alpha < (1 - leastLowering) * before || !search.found.lowest.exists()
+                       ? 0
+                       : vain + 1;
         }
     };
     const bool isLarge = !search.followsPaths;
@@ -89,7 +90,7 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
     {
         followStarts();
         search.followsPaths = true;
-        if (search.lowest.exists())
+        if (search.found.lowest.exists())
         {
             return;
         }
@@ -99,10 +100,11 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
     followStarts();
     // Pairs of motion from rest are mostly lower than those that had to be refined. In the plane a fall has
     // been tried with dilatancy; in space what follows may lead to a collapse.
-    const auto isSettled = [&] { return Forces == 2 && search.fall.exists(); };
-    const auto isShort = [&] { return (!search.lowest.exists() || search.isByRefinement) && !isSettled(); };
+    const auto isSettled = [&] { return Forces == 2 && search.found.fall.exists(); };
+    const auto isShort = [&]
+    { return (!search.found.lowest.exists() || search.found.isByRefinement) && !isSettled(); };
     // One program: in space, where a path may take longer than the time there is, also after that.
-    const bool isTooLate = search.isOver() && (Forces == 2 || search.lowest.exists());
+    const bool isTooLate = search.isOver() && (Forces == 2 || search.found.lowest.exists());
     if (isShort() && !isTooLate)
     {
         search.takeAssociativeForces();
@@ -111,7 +113,7 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
     {
         search.takeStepsFromRest();
     }
-    const auto isWithout = [&] { return !search.lowest.exists() && !isSettled(); };
+    const auto isWithout = [&] { return !search.found.lowest.exists() && !isSettled(); };
     if (isWithout() && !isLarge)
     {
         search.followsPaths = false;
@@ -199,23 +201,23 @@ LimitAnalysis solveNonAssociative(const ConeProgram<Rows, Forces>& program,
     // search would try all its starts without success.
     if (result.status == CollapseStatus::unbounded)
     {
-        search.range.safe = safeMultiplier(program, solver, result);
+        search.found.range.safe = safeMultiplier(program, solver, result);
     }
-    const bool isProved = search.range.safe == std::numeric_limits<double>::infinity();
+    const bool isProved = search.found.range.safe == std::numeric_limits<double>::infinity();
     if (!isProved && search.findRest())
     {
         searchPairs(search, settings.starts, result.status);
     }
     // The same multiplier of the structure and of its program in other axes differ by rounding.
-    if (search.lowest.exists())
+    if (search.found.lowest.exists())
     {
-        search.lowest.alpha = std::min(search.lowest.alpha, search.range.associative);
-        search.range.lowest = search.lowest.alpha;
+        search.found.lowest.alpha = std::min(search.found.lowest.alpha, search.found.range.associative);
+        search.found.range.lowest = search.found.lowest.alpha;
     }
-    const CoulombPair& found = search.lowest.exists() ? search.lowest
-                               : search.fall.exists() ? search.fall
-                                                      : search.below;
-    result.coulomb = search.range;
+    const CoulombPair& found = search.found.lowest.exists() ? search.found.lowest
+                               : search.found.fall.exists() ? search.found.fall
+                                                            : search.found.below;
+    result.coulomb = search.found.range;
     if (found.exists())
     {
         takePair(result, search.frame.inGiven(found));

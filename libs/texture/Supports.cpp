@@ -170,32 +170,67 @@ SupportMaker<Dim> makeFixedBlocks(const FixedBlocks& fixed, const Dictionary& di
 }
 
 template<int Dim>
+std::vector<std::string> namesOfZones(const Assembly<Dim>& assembly)
+{
+    std::vector<std::string> names;
+    for (const Zone& zone : assembly.zones)
+    {
+        names.push_back(zone.name);
+    }
+    return names;
+}
+
+/// The layers of a support that names none: that of its own name, or what the file marks as supports.
+NamePattern usualLayer(const std::string& name, const std::vector<std::string>& zones,
+                       const SourceLocation& place)
+{
+    const auto exists = [&](const std::string& zone)
+    { return std::find(zones.begin(), zones.end(), zone) != zones.end(); };
+    const std::string usual = exists(name) ? name : "is_support";
+    if (!exists(usual))
+    {
+        throw FatalIOError(
+            fmt::format("Nothing in the imported file is marked as a support, and it has no layer {}. Name "
+                        "the layers that are fixed with `layers (...);`, or blocks with `type blocks;`.\n\n"
+                        "Layers: {}",
+                        name, zones.empty() ? "none" : fmt::format("{}", fmt::join(zones, " "))),
+            place);
+    }
+    return {usual, [usual](const std::string& zone) { return zone == usual; }};
+}
+
+/// Fixes the blocks of all zones that match, but those of an earlier support. \return whether any matches
+template<int Dim>
+bool fixZones(Assembly<Dim>& assembly, const NamePattern& pattern, int support)
+{
+    bool isFound = false;
+    for (const Zone& zone : assembly.zones)
+    {
+        if (!pattern.matches(zone.name))
+        {
+            continue;
+        }
+        isFound = true;
+        for (const int block : zone.blocks)
+        {
+            int& of = assembly.blocks[block].support;
+            of = of < 0 ? support : of;
+        }
+    }
+    return isFound;
+}
+
+template<int Dim>
 SupportMaker<Dim> makeFixedZones(const FixedZones& fixed, const Dictionary& dictionary)
 {
     return [fixed, place = dictionary.location(), layersPlace = dictionary.locationOf("layers")](
                Assembly<Dim>& assembly, const std::string& name, double)
     {
-        std::vector<std::string> names;
-        for (const Zone& zone : assembly.zones)
-        {
-            names.push_back(zone.name);
-        }
-        const bool hasOwnZone = std::find(names.begin(), names.end(), name) != names.end();
-        const std::string usual = hasOwnZone ? name : "is_support";
+        const std::vector<std::string> names = namesOfZones(assembly);
         std::vector<NamePattern> patterns = fixed.layers;
         if (patterns.empty())
         {
-            if (!hasOwnZone && std::find(names.begin(), names.end(), usual) == names.end())
-            {
-                throw FatalIOError(
-                    fmt::format(
-                        "Nothing in the imported file is marked as a support, and it has no layer {}. Name "
-                        "the layers that are fixed with `layers (...);`, or blocks with `type blocks;`.\n\n"
-                        "Layers: {}",
-                        name, names.empty() ? "none" : fmt::format("{}", fmt::join(names, " "))),
-                    place);
-            }
-            patterns.push_back({usual, [usual](const std::string& zone) { return zone == usual; }});
+            patterns.push_back(usualLayer(name, names, place));
         }
         const int support = static_cast<int>(assembly.supports.size());
         assembly.supports.push_back({name, "blocks"});
@@ -207,22 +242,7 @@ SupportMaker<Dim> makeFixedZones(const FixedZones& fixed, const Dictionary& dict
             {
                 pattern.matches = [zoneOfLayer](const std::string& zone) { return zone == zoneOfLayer; };
             }
-            bool isFound = false;
-            for (const Zone& zone : assembly.zones)
-            {
-                if (!pattern.matches(zone.name))
-                {
-                    continue;
-                }
-                isFound = true;
-                for (const int block : zone.blocks)
-                {
-                    // Those of an earlier support stay its own.
-                    int& of = assembly.blocks[block].support;
-                    of = of < 0 ? support : of;
-                }
-            }
-            if (!isFound)
+            if (!fixZones(assembly, pattern, support))
             {
                 throw FatalIOError(unknownWordMessage("layer", pattern.text, names)
                                        + "\n\nThe layers of an OBJ file are its materials, and only where it "

@@ -2,6 +2,7 @@
 /// The registries of textures and supports, and the structure made from a whole blockTextureDict.
 #include "texture/Texture.h"
 
+#include "core/ShownList.h"
 #include "import/Import.h"
 #include "import/plane/Photograph.h"
 #include "texture/Arch.h"
@@ -22,7 +23,6 @@
 #include "texture/space/Walls.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -253,13 +253,10 @@ void questionFreeSupports(const Assembly<Dim>& assembly, const SourceLocation& p
     }
     if (!areFree.empty())
     {
-        constexpr std::size_t most = 8;
-        const std::size_t shown = std::min(most, areFree.size());
         printWarning(
             fmt::format("The imported file marks blocks as supports (is_support) that are free here: "
-                        "{}{}. A support `{{ type import; layers (is_support); }}` fixes them.",
-                        fmt::join(areFree.begin(), areFree.begin() + static_cast<std::ptrdiff_t>(shown), " "),
-                        areFree.size() > most ? fmt::format(" and {} more", areFree.size() - most) : ""),
+                        "{}. A support `{{ type import; layers (is_support); }}` fixes them.",
+                        shownList(areFree, 8, " ")),
             place);
     }
 }

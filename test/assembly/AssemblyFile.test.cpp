@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The assembly file: what is written reads back bit by bit, and every fault is named with its line.
 #include "assembly/AssemblyFile.h"
+
+#include "../ReportOf.h"
 #include "core/Error.h"
 #include "texture/Arch.h"
 
@@ -37,15 +39,7 @@ protected:
     std::string report(const std::string& text)
     {
         write(text);
-        try
-        {
-            readBlocks<2>(directory);
-        }
-        catch (const FatalError& error)
-        {
-            return error.report();
-        }
-        return "no error";
+        return reportOf([&] { readBlocks<2>(directory); });
     }
 
     std::filesystem::path directory;
@@ -112,15 +106,7 @@ TEST_F(AssemblyFile, ClockwiseOutlinesAreTurned)
 
 TEST_F(AssemblyFile, AMissingFileAsksForBlockTexture)
 {
-    try
-    {
-        readBlocks<2>(directory);
-        FAIL();
-    }
-    catch (const FatalError& error)
-    {
-        EXPECT_THAT(error.report(), HasSubstr("Run blockTexture first"));
-    }
+    EXPECT_THAT(reportOf([&] { readBlocks<2>(directory); }), HasSubstr("Run blockTexture first"));
 }
 
 TEST_F(AssemblyFile, FaultsOfAnOutlineAreNamedWithTheirLine)

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The assembly file in space: what is written reads back bit by bit, and what a hand can mistype is named
 /// with its line.
+#include "../ReportOf.h"
 #include "assembly/AssemblyFile.h"
 #include "assembly/Materials.h"
 #include "core/Error.h"
@@ -36,15 +37,7 @@ protected:
     std::string report(const std::string& text)
     {
         write(text);
-        try
-        {
-            readBlocks<Dim>(directory);
-        }
-        catch (const FatalError& error)
-        {
-            return error.report();
-        }
-        return "no error";
+        return reportOf([&] { readBlocks<Dim>(directory); });
     }
 
     std::filesystem::path directory;
@@ -139,15 +132,7 @@ TEST_F(SpaceAssemblyFile, GravityHasThreeComponentsAndPointsDown)
     const auto gravity = [&](const std::string& text)
     {
         std::ofstream(directory / "constant/g") << text;
-        try
-        {
-            readGravity<3>(directory);
-        }
-        catch (const FatalError& error)
-        {
-            return error.report();
-        }
-        return std::string("no error");
+        return reportOf([&] { readGravity<3>(directory); });
     };
     EXPECT_EQ(gravity("value (0 0 -9.81);"), "no error");
     EXPECT_THAT(gravity("value (0 -9.81);"), HasSubstr("3 are expected"));

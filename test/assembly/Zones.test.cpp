@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Zones of an assembly and joints that it states: written, read back, used by materials, refused where
 /// wrong.
+#include "../ReportOf.h"
 #include "assembly/AssemblyFile.h"
 #include "assembly/AssemblyOrigin.h"
 #include "assembly/Materials.h"
@@ -33,20 +34,6 @@ protected:
         std::ofstream(directory / file) << text;
     }
 
-    template<class Act>
-    static std::string report(const Act& act)
-    {
-        try
-        {
-            act();
-        }
-        catch (const FatalError& error)
-        {
-            return error.report();
-        }
-        return "no error";
-    }
-
     std::filesystem::path directory;
 };
 
@@ -77,7 +64,7 @@ TEST_F(Zones, WithABlockThatDoesNotExistIsRefused)
     Assembly<3> assembly = twoCubes();
     assembly.zones[1].blocks = {2};
     write("constant/assembly/blocks", assemblyText(assembly));
-    EXPECT_THAT(report([&] { readBlocks<3>(directory); }),
+    EXPECT_THAT(reportOf([&] { readBlocks<3>(directory); }),
                 HasSubstr("Zone brick.red has block 2, but blocks are numbered from 0 to 1."));
 }
 
@@ -87,7 +74,7 @@ TEST_F(Zones, HaveMaterialsOfTheirOwn)
           "density 2000; zones { stone { density 2500; } \"brick.*\" { unitWeight 18000; } }");
     EXPECT_EQ(readDensities<3>(directory, twoCubes(), {0, 0, -10}), (std::vector<double>{2500, 1800}));
     write("constant/materialProperties", "density 2000; zones { stones { density 2500; } }");
-    EXPECT_THAT(report(
+    EXPECT_THAT(reportOf(
                     [&] {
                         readDensities<3>(directory, twoCubes(), {0, 0, -10});
                     }),
@@ -180,17 +167,17 @@ TEST_F(Zones, JointsOfBlocksThatDoNotExistAreRefused)
         Assembly<3> assembly = twoCubes();
         assembly.statedJoints = {{block, neighbour, {0, 0, 1}, {{0, 0, 1}}}};
         write("constant/assembly/blocks", assemblyText(assembly));
-        EXPECT_THAT(report([&] { readBlocks<3>(directory); }), HasSubstr("Joint 0 is between blocks"));
+        EXPECT_THAT(reportOf([&] { readBlocks<3>(directory); }), HasSubstr("Joint 0 is between blocks"));
     }
     Assembly<3> assembly = twoCubes();
     assembly.statedJoints = {{0, 1, {0, 0, 0}, {{0, 0, 1}}}};
     write("constant/assembly/blocks", assemblyText(assembly));
-    EXPECT_THAT(report([&] { readBlocks<3>(directory); }), HasSubstr("no direction"));
+    EXPECT_THAT(reportOf([&] { readBlocks<3>(directory); }), HasSubstr("no direction"));
     assembly.statedJoints = {{0, 1, {0, 0, 1}, {{0, 0, 1}}}};
     std::string text = assemblyText(assembly);
     text.replace(text.find("((0 0 1))"), 9, "()");
     write("constant/assembly/blocks", text);
-    EXPECT_THAT(report([&] { readBlocks<3>(directory); }), HasSubstr("no points"));
+    EXPECT_THAT(reportOf([&] { readBlocks<3>(directory); }), HasSubstr("no points"));
 }
 
 } // namespace

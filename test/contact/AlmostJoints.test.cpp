@@ -2,6 +2,7 @@
 /// Faces that almost meet are refused, with the pair and the repair.
 #include "contact/AlmostJoints.h"
 
+#include "../ReportOf.h"
 #include "contact/ClosedAssembly.h"
 #include "core/Error.h"
 
@@ -38,17 +39,13 @@ protected:
             << "supports { ground { type ground; blocks (0); } }\noutlines\n(\n((-1 -1) (2 -1) (2 0) (-1 "
                "0))\n"
             << fmt::format("((0 {}) (1 {}) (1 1) (0 1))\n);", left, right);
-        try
-        {
-            const Assembly<2> assembly = readAssembly<2>(directory);
-            refuseOverlaps(assembly, directory);
-            refuseAlmostJoints(assembly, directory);
-        }
-        catch (const FatalIOError& error)
-        {
-            return error.report();
-        }
-        return "no error";
+        return reportOf(
+            [&]
+            {
+                const Assembly<2> assembly = readAssembly<2>(directory);
+                refuseOverlaps(assembly, directory);
+                refuseAlmostJoints(assembly, directory);
+            });
     }
 
     std::filesystem::path directory;

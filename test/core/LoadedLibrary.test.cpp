@@ -2,6 +2,7 @@
 /// Libraries that are loaded while a program runs.
 #include "core/LoadedLibrary.h"
 
+#include "../ReportOf.h"
 #include "core/Error.h"
 
 #include <gmock/gmock.h>
@@ -15,19 +16,6 @@ namespace
 
 using testing::HasSubstr;
 
-std::string messageOf(const auto& action)
-{
-    try
-    {
-        action();
-    }
-    catch (const FatalError& error)
-    {
-        return error.what();
-    }
-    return "";
-}
-
 #ifdef __linux__
 TEST(LoadedLibrary, ItsFunctionsAreCalled)
 {
@@ -39,15 +27,14 @@ TEST(LoadedLibrary, ItsFunctionsAreCalled)
 TEST(LoadedLibrary, AFunctionThatItDoesNotHaveIsNamed)
 {
     const LoadedLibrary library("libm.so.6", "/nowhere");
-    EXPECT_THAT(messageOf([&] { library.symbol("squareTheCircle"); }),
+    EXPECT_THAT(reportOf([&] { library.symbol("squareTheCircle"); }),
                 testing::AllOf(HasSubstr("libm.so.6"), HasSubstr("squareTheCircle")));
 }
 #endif
 
 TEST(LoadedLibrary, OneThatIsNotThereIsNamed)
 {
-    EXPECT_THAT(messageOf([] { LoadedLibrary("libnowhere.so.1", "/nowhere"); }),
-                HasSubstr("libnowhere.so.1"));
+    EXPECT_THAT(reportOf([] { LoadedLibrary("libnowhere.so.1", "/nowhere"); }), HasSubstr("libnowhere.so.1"));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 /// Names with typing errors, in folders that are there and that are not.
 #include "core/NamedFile.h"
 
+#include "../ReportOf.h"
 #include "core/WholeFile.h"
 
 #include <gmock/gmock.h>
@@ -21,17 +22,8 @@ TEST(NamedFile, ANameWithATypingErrorIsRefusedWithTheFileThatMayBeMeant)
     std::filesystem::create_directories(folder / "tower");
     writeWholeFile(folder / "tower.obj", "o\n");
     writeWholeFile(folder / "wall.dxf", "0\n");
-    const auto report = [&](const std::string& name)
-    {
-        try
-        {
-            requireFile(folder / name, {"system/blockTextureDict", "texture/file", 5});
-        }
-        catch (const FatalIOError& error)
-        {
-            return error.report();
-        }
-        return std::string("no error");
+    const auto report = [&](const std::string& name) {
+        return reportOf([&] { requireFile(folder / name, {"system/blockTextureDict", "texture/file", 5}); });
     };
     EXPECT_EQ(report("tower.obj"), "no error");
     EXPECT_THAT(report("tover.obj"),

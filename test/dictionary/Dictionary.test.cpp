@@ -2,6 +2,7 @@
 /// Dictionaries: the grammar, macros and directives, typed reading, and messages.
 #include "dictionary/Dictionary.h"
 
+#include "../ReportOf.h"
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -45,19 +46,6 @@ TEST(Dictionary, ReadsTheBlockTextureOfTheContract)
     EXPECT_EQ((openings[0].get<std::array<double, 2>>("to")), (std::array{2.5, 8.0}));
     EXPECT_EQ(texture.lookup("courses").location().line, 9);
     EXPECT_EQ(texture.lookup("courses").location().entry, "texture/courses");
-}
-
-std::string reportOf(const std::function<void()>& action)
-{
-    try
-    {
-        action();
-    }
-    catch (const FatalError& error)
-    {
-        return error.report();
-    }
-    return "no error";
 }
 
 std::string reportOfReading(const std::string& text)
@@ -445,16 +433,7 @@ TEST(Dictionary, AMissingSemicolonBeforeASubDictionaryIsNamedWhereItIsMissing)
 TEST(Dictionary, WhatHasASlashIsShownInTheQuotesThatItNeeds)
 {
     const auto refusal = [](const std::string& text)
-    {
-        try
-        {
-            return Dictionary::readString(text).get<std::string>("a");
-        }
-        catch (const FatalIOError& error)
-        {
-            return error.report();
-        }
-    };
+    { return reportOf([&] { Dictionary::readString(text).get<std::string>("a"); }); };
     EXPECT_THAT(refusal("a alpha/(mu-mu);"), HasSubstr("\"alpha/(mu-mu)\""));
     EXPECT_THAT(refusal("a constant/r.AT2; b 1;"), HasSubstr("\"constant/r.AT2\""));
 }

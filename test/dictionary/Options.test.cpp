@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Declared settings: reading, checks and messages, and the texts that are made from declarations.
+#include "../ReportOf.h"
 #include "dictionary/Registry.h"
 
 #include <gmock/gmock.h>
@@ -107,17 +108,10 @@ void declare(Options& options, BlockTextureDict& settings)
     options.optional("supports", settings.supports, "what holds the structure");
 }
 
-std::string reportOf(const std::string& text)
+std::string reportOfTexture(const std::string& text)
 {
-    try
-    {
-        readOptions<BlockTextureDict>(Dictionary::readString(text, "system/blockTextureDict"));
-    }
-    catch (const FatalIOError& error)
-    {
-        return error.report();
-    }
-    return "no error";
+    return reportOf(
+        [&] { readOptions<BlockTextureDict>(Dictionary::readString(text, "system/blockTextureDict")); });
 }
 
 TEST(Options, ReadAModelWithItsDefaultsListsAndNamedDictionaries)
@@ -191,7 +185,7 @@ TEST(Options, AnUnusualValueIsTakenAsItIsWithOneWarning)
 
 TEST(Options, AnUnknownTypeIsReportedAsTheContractHasIt)
 {
-    EXPECT_EQ(reportOf("\n\n\ntexture\n{\n\n\n\n\n\n\n    type runingBond;\n}\n"),
+    EXPECT_EQ(reportOfTexture("\n\n\ntexture\n{\n\n\n\n\n\n\n    type runingBond;\n}\n"),
               "--> DRYSTONE FATAL IO ERROR:\n"
               "Unknown texture type runingBond. Did you mean runningBond?\n"
               "\n"
@@ -206,8 +200,8 @@ TEST(Options, AllFaultsOfADictionaryAreReportedEachWithItsPlace)
 {
     using testing::HasSubstr;
     const std::string report =
-        reportOf("texture { type runningBond;\ncolour red;\ncourse 6; unit (0.4\n-1);\n"
-                 "firstCourse quarter; }");
+        reportOfTexture("texture { type runningBond;\ncolour red;\ncourse 6; unit (0.4\n-1);\n"
+                        "firstCourse quarter; }");
     const std::string expected[] = {"--> DRYSTONE FATAL IO ERROR:\nUnknown key colour.",
                                     "texture/colour at line 2.",
                                     "Unknown key course. Did you mean courses?",
@@ -230,49 +224,50 @@ TEST(Options, FaultsAreNamedWithTheirPlaceAndRepair)
 {
     using testing::HasSubstr;
     const std::string start = "texture { type runningBond;\n";
-    EXPECT_THAT(reportOf(start + "unit (0.4 0.2);\ncourses 6; thicknes 1; }"),
+    EXPECT_THAT(reportOfTexture(start + "unit (0.4 0.2);\ncourses 6; thicknes 1; }"),
                 AllOf(HasSubstr("Unknown key thicknes. Did you mean thickness?"),
                       HasSubstr("Valid keys: courses firstCourse openings thickness type unit"),
                       HasSubstr("file: system/blockTextureDict/texture/thicknes at line 3.")));
     EXPECT_THAT(
-        reportOf(start + "courses 6; }"),
+        reportOfTexture(start + "courses 6; }"),
         AllOf(HasSubstr("The entry unit is missing: length of a full block, height of a course [m]. Write "
                         "for example `unit (0.4 0.175);`"),
               HasSubstr("file: system/blockTextureDict/texture at line 1.")));
-    EXPECT_THAT(reportOf(start + "courses 6; unit (0.4\n-1); }"),
+    EXPECT_THAT(reportOfTexture(start + "courses 6; unit (0.4\n-1); }"),
                 AllOf(HasSubstr("unit = -1 [m] is out of range: it must be above 0."),
                       HasSubstr("texture/unit at line 3.")));
-    EXPECT_THAT(reportOf(start + "courses 6; unit (0.4 nan); }"), HasSubstr("Only finite numbers"));
-    EXPECT_THAT(reportOf(start + "courses 6.5; unit (0.4 1); }"),
+    EXPECT_THAT(reportOfTexture(start + "courses 6; unit (0.4 nan); }"), HasSubstr("Only finite numbers"));
+    EXPECT_THAT(reportOfTexture(start + "courses 6.5; unit (0.4 1); }"),
                 HasSubstr("an integer is expected but `6.5`"));
-    EXPECT_THAT(reportOf(start + "courses 6; unit 0.4; }"), HasSubstr("a vector of 2 numbers"));
+    EXPECT_THAT(reportOfTexture(start + "courses 6; unit 0.4; }"), HasSubstr("a vector of 2 numbers"));
     EXPECT_THAT(
-        reportOf(start + "courses 6; unit (1 1); thickness [1 0 0 0 0 0 0] 1; }"),
+        reportOfTexture(start + "courses 6; unit (1 1); thickness [1 0 0 0 0 0 0] 1; }"),
         HasSubstr("has the dimensions [1 0 0 0 0 0 0], but [0 1 0 0 0 0 0] are those of its unit, m"));
-    EXPECT_EQ(reportOf(start + "courses 6; unit (1 1); thickness [0 1 0 0 0 0 0] 1; }"), "no error");
-    EXPECT_EQ(reportOf(start + "courses 6; unit (1 1); thickness thickness [m] 1; }"), "no error");
-    EXPECT_THAT(reportOf(start + "courses 6; unit (1 1); firstCourse quarter; }"),
+    EXPECT_EQ(reportOfTexture(start + "courses 6; unit (1 1); thickness [0 1 0 0 0 0 0] 1; }"), "no error");
+    EXPECT_EQ(reportOfTexture(start + "courses 6; unit (1 1); thickness thickness [m] 1; }"), "no error");
+    EXPECT_THAT(reportOfTexture(start + "courses 6; unit (1 1); firstCourse quarter; }"),
                 HasSubstr("Valid firstCourses: full half"));
-    EXPECT_THAT(reportOf(start + "courses 6; unit (1 1)\nthickness 2; }"),
+    EXPECT_THAT(reportOfTexture(start + "courses 6; unit (1 1)\nthickness 2; }"),
                 AllOf(HasSubstr("Is a `;` missing at the end of line 2?"), HasSubstr("unit at line 2.")));
     EXPECT_THAT(
-        reportOf(start + "courses 6; unit (1 1); openings ( { from (0 0); too (1 1); } ); }"),
+        reportOfTexture(start + "courses 6; unit (1 1); openings ( { from (0 0); too (1 1); } ); }"),
         AllOf(HasSubstr("Unknown key too. Did you mean to?"), HasSubstr("texture/openings/too at line 2.")));
-    EXPECT_THAT(reportOf(start + "courses 6; unit (1 1);\nopenings 3{ {from (0 0); to (1 1);} }; }"),
+    EXPECT_THAT(reportOfTexture(start + "courses 6; unit (1 1);\nopenings 3{ {from (0 0); to (1 1);} }; }"),
                 AllOf(HasSubstr("more than two openings"), HasSubstr("texture/openings at line 3.")));
-    EXPECT_THAT(reportOf("texture { type arch; } dimensions 4;"), HasSubstr("must be from 2 to 3"));
+    EXPECT_THAT(reportOfTexture("texture { type arch; } dimensions 4;"), HasSubstr("must be from 2 to 3"));
     EXPECT_THAT(
-        reportOf("texture { radius 1; }"),
+        reportOfTexture("texture { radius 1; }"),
         HasSubstr(
             "The entry type is missing: it chooses the texture.\n\nValid texture types: arch runningBond"));
-    EXPECT_THAT(reportOf("texture\n{\n    tpye arch;\n}"),
+    EXPECT_THAT(reportOfTexture("texture\n{\n    tpye arch;\n}"),
                 AllOf(HasSubstr("it chooses the texture. Did you mean type with tpye at line 3?\n\nValid"),
                       HasSubstr("texture at line 1.")));
-    EXPECT_THAT(reportOf("dimensions 2;"),
+    EXPECT_THAT(reportOfTexture("dimensions 2;"),
                 HasSubstr("The sub-dictionary texture is missing: how blocks are laid."));
-    EXPECT_THAT(reportOf("texture arch;"),
+    EXPECT_THAT(reportOfTexture("texture arch;"),
                 HasSubstr("texture is a value, but a sub-dictionary is wanted here"));
-    EXPECT_THAT(reportOf("texture { type arch; } 2 ((0 0) (1 1))"), HasSubstr("a list without a keyword"));
+    EXPECT_THAT(reportOfTexture("texture { type arch; } 2 ((0 0) (1 1))"),
+                HasSubstr("a list without a keyword"));
 }
 
 struct SolutionOfOne

@@ -2,6 +2,7 @@
 /// Which effects a case simulates by what it selects: as given, and with everything on.
 #include "dynamics/DynamicCase.h"
 
+#include "../ReportOf.h"
 #include "Scenes.h"
 
 #include <gmock/gmock.h>
@@ -93,18 +94,8 @@ TEST(DynamicCase, WithEverythingOnTheMotionIsThatOfTheCaseThatNamesIt)
 TEST(Schemes, SelectionsAreNamedAndRefusedByTheirLine)
 {
     const auto faultOf = [](const std::string& text)
-    {
-        try
-        {
-            readOptions<Schemes>(Dictionary::readString(text, "schemes"));
-        }
-        catch (const FatalIOError& error)
-        {
-            return error.report();
-        }
-        return std::string();
-    };
-    EXPECT_EQ(faultOf("effects { selection everything; }"), "");
+    { return reportOf([&] { readOptions<Schemes>(Dictionary::readString(text, "schemes")); }); };
+    EXPECT_EQ(faultOf("effects { selection everything; }"), "no error");
     EXPECT_THAT(faultOf("effects\n{\nselection everthing; }"),
                 testing::AllOf(testing::HasSubstr("Did you mean everything?"), testing::HasSubstr("line 3")));
     EXPECT_THAT(faultOf("effects { selection everything;\nverifyInterval 5; }"),

@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Motions of the ground: their dictionaries, histories and plausibility.
 #include "effects/GroundMotion.h"
+
+#include "../ReportOf.h"
 #include "core/Error.h"
 #include "dynamics/GroundMotionPlausibility.h"
 #include "effects/RecordPlausibility.h"
@@ -217,15 +219,7 @@ GroundMotion motionOf(const std::string& text, const std::filesystem::path& case
 
 std::string refusalOf(const std::string& text, const std::filesystem::path& caseDirectory = "")
 {
-    try
-    {
-        motionOf(text, caseDirectory);
-    }
-    catch (const FatalIOError& error)
-    {
-        return error.report();
-    }
-    return "";
+    return reportOf([&] { motionOf(text, caseDirectory); });
 }
 
 } // namespace

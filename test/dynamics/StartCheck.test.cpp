@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Starts of 0/motion: inside another block they are refused, and a rotation may name its point.
+#include "../ReportOf.h"
 #include "Scenes.h"
 #include "SpaceScenes.h"
 
@@ -37,17 +38,13 @@ protected:
     std::string report(const std::string& start, JointStiffness joints = JointStiffness::rigid)
     {
         std::ofstream(directory / "0/motion") << "1\n{\n    " << start << "\n}\n";
-        try
-        {
-            const InitialState<2> initial = readInitialMotion(directory, "0", assembly);
-            state = initial.state;
-            refuseStartOverlaps(assembly, state.placements, initial.places, joints);
-        }
-        catch (const FatalIOError& error)
-        {
-            return error.report();
-        }
-        return "no error";
+        return reportOf(
+            [&]
+            {
+                const InitialState<2> initial = readInitialMotion(directory, "0", assembly);
+                state = initial.state;
+                refuseStartOverlaps(assembly, state.placements, initial.places, joints);
+            });
     }
 
     std::filesystem::path directory;
@@ -119,18 +116,10 @@ TEST_F(StartCheck, PatternsThatGiveABlockNothingAreNamed)
     EXPECT_THAT(warning("(1|33)"), AllOf(HasSubstr("there is no block 33"), HasSubstr("line 3")));
     EXPECT_EQ(warning("0|1"), "") << "the support has no start";
     EXPECT_EQ(warning(".*"), "");
-    try
-    {
-        warning("0|00");
-        FAIL() << "no error";
-    }
-    catch (const FatalIOError& error)
-    {
-        testing::internal::GetCapturedStdout();
-        testing::internal::GetCapturedStderr();
-        EXPECT_THAT(error.report(),
-                    AllOf(HasSubstr("Only free blocks can be given a start"), HasSubstr("line 3")));
-    }
+    const std::string report = reportOf([&] { warning("0|00"); });
+    testing::internal::GetCapturedStdout();
+    testing::internal::GetCapturedStderr();
+    EXPECT_THAT(report, AllOf(HasSubstr("Only free blocks can be given a start"), HasSubstr("line 3")));
 }
 
 TEST_F(StartCheck, RefusesAStartInAnotherFreeBlock)
@@ -169,15 +158,8 @@ TEST_F(StartCheck, APointOfSpaceHasThreeComponents)
     Assembly<3> tower;
     tower.blocks.push_back(spaceScenes::boxBlock({0, 0, 0}, {1, 1, 2}));
     std::ofstream(directory / "0/motion") << "0\n{\n    rotation (0 0.1 0);\n    about (0.5 0);\n}\n";
-    try
-    {
-        readInitialMotion(directory, "0", tower);
-        FAIL() << "(0.5 0) may be a place of the plane that was not thought over";
-    }
-    catch (const FatalIOError& error)
-    {
-        EXPECT_THAT(error.report(), AllOf(HasSubstr("3"), HasSubstr("0/motion/0/about at line 4")));
-    }
+    EXPECT_THAT(reportOf([&] { readInitialMotion(directory, "0", tower); }),
+                AllOf(HasSubstr("3"), HasSubstr("0/motion/0/about at line 4")));
 }
 
 TEST_F(StartCheck, QuestionsRotationsThatLookLikeDegrees)

@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Materials, contact properties and loads as a case states them: good files, and every fault with its line.
 #include "effects/ContactProperties.h"
+
+#include "../ReportOf.h"
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
 #include "contact/ClosedAssembly.h"
@@ -33,31 +35,16 @@ protected:
 
     void write(const std::string& file, const std::string& text) { std::ofstream(directory / file) << text; }
 
-    /// What is reported when `action` fails.
-    template<class Action>
-    std::string report(const Action& action)
-    {
-        try
-        {
-            action();
-        }
-        catch (const FatalError& error)
-        {
-            return error.report();
-        }
-        return "no error";
-    }
-
     std::string contactReport(const std::string& text)
     {
         write("constant/contactProperties", text);
-        return report([&] { readContactProperties(directory); });
+        return reportOf([&] { readContactProperties(directory); });
     }
 
     std::string loadReport(const std::string& text)
     {
         write("constant/loads", text);
-        return report([&] { readLoads<2>(directory, {assembly, masses, {0, -10}}, LiveLoad::required); });
+        return reportOf([&] { readLoads<2>(directory, {assembly, masses, {0, -10}}, LiveLoad::required); });
     }
 
     std::filesystem::path directory;
@@ -78,13 +65,13 @@ TEST_F(CaseProperties, GravityMayHaveTwoOrThreeComponentsAndDimensions)
 TEST_F(CaseProperties, FaultsOfGravityAreNamed)
 {
     const auto act = [&] { readGravity<2>(directory); };
-    EXPECT_THAT(report(act), HasSubstr("There is no"));
+    EXPECT_THAT(reportOf(act), HasSubstr("There is no"));
     write("constant/g", "\nvalue (0 -9.81 1);");
-    EXPECT_THAT(report(act), HasSubstr("line 2."));
+    EXPECT_THAT(reportOf(act), HasSubstr("line 2."));
     write("constant/g", "dimensions [0 1 -1 0 0 0 0]; value (0 -9.81 0);");
-    EXPECT_THAT(report(act), HasSubstr("constant/g"));
+    EXPECT_THAT(reportOf(act), HasSubstr("constant/g"));
     write("constant/g", "value (0 nan 0);");
-    EXPECT_THAT(report(act), HasSubstr("constant/g"));
+    EXPECT_THAT(reportOf(act), HasSubstr("constant/g"));
 }
 
 TEST_F(CaseProperties, DensityAndUnitWeightGiveTheSameMass)
@@ -106,10 +93,10 @@ TEST_F(CaseProperties, FaultsOfMaterialsAreNamed)
           std::pair("densty 2000;", "density"), std::pair("density heavy;", "heavy")})
     {
         write("constant/materialProperties", text);
-        EXPECT_THAT(report(act), AllOf(HasSubstr(fault), HasSubstr("constant/materialProperties"))) << text;
+        EXPECT_THAT(reportOf(act), AllOf(HasSubstr(fault), HasSubstr("constant/materialProperties"))) << text;
     }
     write("constant/materialProperties", "unitWeight 1000;");
-    EXPECT_THAT(report([&] { readDensities(directory, assembly, {0, 0}); }), HasSubstr("gravity is 0"));
+    EXPECT_THAT(reportOf([&] { readDensities(directory, assembly, {0, 0}); }), HasSubstr("gravity is 0"));
 }
 
 TEST_F(CaseProperties, FrictionIsReadAndAbsentFrictionIsNone)
@@ -164,7 +151,7 @@ TEST_F(CaseProperties, WithoutALoadsFileThereIsGravityWhereALiveLoadIsOptional)
     const LoadContext<2> context{assembly, masses, {0, -10}};
     EXPECT_EQ(readLoads(directory, context, LiveLoad::optional).dead, Eigen::Vector3d(0, -20000, 0));
     EXPECT_EQ(readLoads(directory, context, LiveLoad::optional).live.size(), 0);
-    EXPECT_THAT(report([&] { readLoads(directory, context, LiveLoad::required); }),
+    EXPECT_THAT(reportOf([&] { readLoads(directory, context, LiveLoad::required); }),
                 HasSubstr("constant/loads"));
 }
 
@@ -218,9 +205,9 @@ TEST_F(CaseProperties, OverlapsAreRefusedAtTheLineOfTheSecondBlock)
     const std::string head =
         "dimensions 2; thickness 1; supports {}\noutlines\n(\n((0 0) (1 0) (1 1) (0 1))\n";
     write("constant/assembly/blocks", head + "((1 0) (2 0) (2 1) (1 1))\n);");
-    EXPECT_EQ(report([&] { refuseOverlaps(readAssembly<2>(directory), directory); }), "no error");
+    EXPECT_EQ(reportOf([&] { refuseOverlaps(readAssembly<2>(directory), directory); }), "no error");
     write("constant/assembly/blocks", head + "((0.9 0) (2 0) (2 1) (0.9 1))\n);");
-    EXPECT_THAT(report([&] { refuseOverlaps(readAssembly<2>(directory), directory); }),
+    EXPECT_THAT(reportOf([&] { refuseOverlaps(readAssembly<2>(directory), directory); }),
                 AllOf(HasSubstr("Blocks 0 and 1 overlap by 0.1 m2"), HasSubstr("line 5.")));
 }
 

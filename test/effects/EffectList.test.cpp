@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// What a new effect takes: a made-up one, which no library knows, is read, checked, computed, accounted for,
 /// saved and logged, by its two files (GroundSpring.h) and a line in the list.
+#include "../ReportOf.h"
 #include "../dynamics/Scenes.h"
 #include "GroundSpring.h"
 
@@ -52,15 +53,7 @@ DynamicCase<2> sceneWith(const std::string& contactProperties, double theta = 0.
 
 std::string report(const std::string& contactProperties)
 {
-    try
-    {
-        sceneWith(contactProperties);
-    }
-    catch (const FatalError& error)
-    {
-        return error.report();
-    }
-    return "no error";
+    return reportOf([&] { sceneWith(contactProperties); });
 }
 
 } // namespace

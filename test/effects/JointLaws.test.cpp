@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Strengths of joints: names, patterns, areas, and every fault with its line.
 #include "effects/JointLaws.h"
+
+#include "../ReportOf.h"
 #include "effects/EffectList.h"
 #include "effects/Friction.h"
 
@@ -40,15 +42,7 @@ protected:
     }
     std::string report(const std::string& text)
     {
-        try
-        {
-            laws(text);
-        }
-        catch (const FatalError& error)
-        {
-            return error.report();
-        }
-        return "no error";
+        return reportOf([&] { laws(text); });
     }
 
     std::filesystem::path directory;

@@ -3,6 +3,7 @@
 /// themselves are refused.
 #include "ensembles/AccuracyHistory.h"
 
+#include "../ReportOf.h"
 #include "core/Error.h"
 #include "core/WholeFile.h"
 
@@ -41,15 +42,7 @@ protected:
     std::string faultOf(const std::string& text) const
     {
         writeWholeFile(file, text);
-        try
-        {
-            const AccuracyRuns runs(study);
-        }
-        catch (const FatalError& error)
-        {
-            return error.report();
-        }
-        return "";
+        return reportOf([&] { const AccuracyRuns runs(study); });
     }
 
     AccuracyStudy study;
@@ -80,7 +73,7 @@ TEST_F(AccuracyHistoryTest, ADigitThatWasChangedIsFoundInEveryColumn)
     written.add(key, run);
     written.write();
     const std::string sound = contentOfFile(file);
-    EXPECT_EQ(faultOf(sound), "");
+    EXPECT_EQ(faultOf(sound), "no error");
     const std::size_t row = sound.find("\n0 0.01 ") + 1;
     ASSERT_NE(row, 0u);
     for (std::size_t at = row; at + 1 < sound.size(); ++at)

@@ -2,6 +2,7 @@
 /// Runs that are known are not repeated; those of other input are.
 #include "ensembles/IncrementalHistory.h"
 
+#include "../ReportOf.h"
 #include "core/Error.h"
 #include "core/WholeFile.h"
 
@@ -133,16 +134,8 @@ TEST_F(IncrementalHistoryTest, DamagedRowsAreNamed)
                             "1 0.5 1 1 1 1 1e30 1 1 0", "1 0.5 1 1 1 1 1 1 1 2"})
     {
         writeWholeFile(file, sound + row + "\n");
-        try
-        {
-            history();
-            ADD_FAILURE() << row;
-        }
-        catch (const FatalIOError& error)
-        {
-            EXPECT_EQ(error.location().line, line) << row;
-            EXPECT_EQ(error.location().file, file.string());
-        }
+        const std::string report = reportOf([&] { history(); });
+        EXPECT_THAT(report, HasSubstr(fmt::format("file: {} at line {}.", file.string(), line))) << row;
     }
 }
 
@@ -166,16 +159,8 @@ TEST_F(IncrementalHistoryTest, RowsThatContradictThemselvesOrOthersAreNamed)
     for (const auto& [row, fault] : rows)
     {
         writeWholeFile(file, text + row + "\n");
-        try
-        {
-            history();
-            ADD_FAILURE() << row;
-        }
-        catch (const FatalIOError& error)
-        {
-            EXPECT_NE(error.report().find(fault), std::string::npos) << error.report();
-            EXPECT_EQ(error.location().line, line) << row;
-        }
+        const std::string report = reportOf([&] { history(); });
+        EXPECT_THAT(report, AllOf(HasSubstr(fault), HasSubstr(fmt::format(" at line {}.", line)))) << row;
     }
     writeWholeFile(file, text + "0 0.6 2.4 1 0.02 1 1 1 1 0\n");
     EXPECT_EQ(history().count(), 2u);

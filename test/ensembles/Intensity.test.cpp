@@ -1,6 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Which intensities are tried, and what a set of verdicts says.
 #include "ensembles/Intensity.h"
+
+#include "../ReportOf.h"
 #include "core/Error.h"
 
 #include <gmock/gmock.h>
@@ -21,15 +23,7 @@ IntensityPlan planOf(const std::string& text)
 
 std::string faultOf(const std::string& text)
 {
-    try
-    {
-        planOf(text);
-    }
-    catch (const FatalIOError& error)
-    {
-        return error.report();
-    }
-    return "";
+    return reportOf([&] { planOf(text); });
 }
 
 /// All runs of a plan on something that moves from a threshold on.

@@ -2,6 +2,7 @@
 /// Points that are known are not computed again; rows that have been changed or are there twice are refused.
 #include "ensembles/SearchHistory.h"
 
+#include "../ReportOf.h"
 #include "core/Error.h"
 #include "core/WholeFile.h"
 
@@ -39,15 +40,7 @@ protected:
     std::string faultOf(const std::string& text) const
     {
         writeWholeFile(file, text);
-        try
-        {
-            const SearchHistory history(search);
-        }
-        catch (const FatalError& error)
-        {
-            return error.report();
-        }
-        return "";
+        return reportOf([&] { const SearchHistory history(search); });
     }
 
     ParameterSearch search;
@@ -77,7 +70,7 @@ TEST_F(SearchHistoryTest, ADigitThatWasChangedIsFoundInEveryColumn)
         written.add({{0.5}, {0.125}, 0, 0.375});
     }
     const std::string sound = contentOfFile(file);
-    EXPECT_EQ(faultOf(sound), "");
+    EXPECT_EQ(faultOf(sound), "no error");
     const std::size_t row = sound.find("0.75");
     const std::size_t end = sound.find('\n', row);
     ASSERT_NE(end, sound.npos);
@@ -92,7 +85,7 @@ TEST_F(SearchHistoryTest, ADigitThatWasChangedIsFoundInEveryColumn)
     EXPECT_THAT(faultOf(sound.substr(0, end - 1) + sound.substr(end)),
                 HasSubstr("is not what was written there"));
     // Rows of older versions say nothing of themselves.
-    EXPECT_EQ(faultOf(sound + "0.625  0.5  0  0.1\n"), "");
+    EXPECT_EQ(faultOf(sound + "0.625  0.5  0  0.1\n"), "no error");
 }
 
 TEST_F(SearchHistoryTest, APointThatIsThereTwiceIsRefusedWithTheLineOfTheSecond)

@@ -2,6 +2,7 @@
 /// Histories of studies: rows are read and checked, and what is damaged is said with file and line.
 #include "ensembles/StudyHistory.h"
 
+#include "../ReportOf.h"
 #include "core/WholeFile.h"
 
 #include <fmt/format.h>
@@ -51,16 +52,12 @@ protected:
         const std::string& text,
         const std::function<void(const HistoryRow&)>& take = [](const HistoryRow&) {}) const
     {
-        try
-        {
-            const std::vector<HistoryRow> rows = rowsOf(text);
-            take(rows.back());
-        }
-        catch (const FatalError& error)
-        {
-            return error.report();
-        }
-        return "";
+        return reportOf(
+            [&]
+            {
+                const std::vector<HistoryRow> rows = rowsOf(text);
+                take(rows.back());
+            });
     }
 
     std::filesystem::path folder;

@@ -2,6 +2,7 @@
 /// The `functions` dictionary: reading, times, restarts, and what is refused.
 #include "functionObjects/FunctionList.h"
 
+#include "../ReportOf.h"
 #include "core/Error.h"
 
 #include <fmt/format.h>
@@ -41,15 +42,7 @@ protected:
 
     std::string refusal(const std::string& text) const
     {
-        try
-        {
-            read(text);
-        }
-        catch (const FatalIOError& error)
-        {
-            return error.report();
-        }
-        return "";
+        return reportOf([&] { read(text); });
     }
 
     /// Steps of 0.1 s from one index to another; the run writes its state at every fifth.
@@ -256,7 +249,7 @@ TEST_F(FunctionListTest, NoFolderButItsOwnIsAName)
         EXPECT_THAT(refusal(name + " { type energy; }"), HasSubstr("is that of its folder: a word, not"))
             << name;
     }
-    EXPECT_EQ(refusal("a.b { type energy; } ... { type energy; }"), "");
+    EXPECT_EQ(refusal("a.b { type energy; } ... { type energy; }"), "no error");
 }
 
 TEST_F(FunctionListTest, ChosenTimesAreWrittenAtTheNearestStepAndOnceEach)
@@ -342,15 +335,7 @@ TEST_F(FunctionListTest, TablesAreDrawnOverTimeWhereRequested)
 TEST_F(FunctionListTest, TheMotionOfTheGroundIsListed)
 {
     std::filesystem::create_directories(folder / "constant");
-    try
-    {
-        read("record { type groundMotion; }");
-        FAIL() << "there is no constant/groundMotion";
-    }
-    catch (const FatalError& error)
-    {
-        EXPECT_THAT(error.what(), HasSubstr("constant/groundMotion"));
-    }
+    EXPECT_THAT(reportOf([&] { read("record { type groundMotion; }"); }), HasSubstr("constant/groundMotion"));
     std::ofstream(folder / "constant/groundMotion")
         << "direction (0 2 0); acceleration { type table; values ((0 0) (1 10)); }";
     FunctionList<2> functions = read("record { type groundMotion; writePrecision 6; }");

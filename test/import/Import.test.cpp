@@ -11,7 +11,6 @@
 #include <fstream>
 
 using namespace drystone;
-using test::reportOf;
 using testing::AllOf;
 using testing::HasSubstr;
 

@@ -2,7 +2,8 @@
 /// Files in memory for the tests of this library.
 #pragma once
 
-#include "core/Error.h"
+#include "../ReportOf.h"
+
 #include "geometry/space/Polyhedron.h"
 #include "import/ImportedFile.h"
 
@@ -14,20 +15,6 @@ namespace drystone::test
 inline ImportedFile fileOf(std::string bytes)
 {
     return {"sample", std::move(bytes)};
-}
-
-template<class Act>
-std::string reportOf(const Act& act)
-{
-    try
-    {
-        act();
-    }
-    catch (const FatalError& error)
-    {
-        return error.report();
-    }
-    return "no error";
 }
 
 /// The triangles of a polyhedron whose faces are convex.

@@ -128,7 +128,7 @@ TEST(Photograph, PointsOfKnownDistanceAreInThePicture)
     const auto report = [&](const Vector<2>& first, const Vector<2>& second)
     {
         photograph.points = {first, second};
-        return test::reportOf([&] { makeAssembly(photograph, tutorial, {}); });
+        return reportOf([&] { makeAssembly(photograph, tutorial, {}); });
     };
     EXPECT_EQ(report({30, 295}, {450, 295}), "no error");
     for (const Vector<2>& outside : {Vector<2>(45000, 295), Vector<2>(450, 2950), Vector<2>(-450, 295)})
@@ -136,7 +136,7 @@ TEST(Photograph, PointsOfKnownDistanceAreInThePicture)
         EXPECT_THAT(report({30, 295}, outside),
                     testing::HasSubstr("outside of this picture of 480 x 320 pixels"));
         // The points are wrong, not the picture.
-        EXPECT_THAT(test::reportOf(
+        EXPECT_THAT(reportOf(
                         [&]
                         {
                             makeAssembly(photograph, tutorial, {"system/blockTextureDict", "texture/file", 7},

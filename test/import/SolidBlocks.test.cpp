@@ -317,8 +317,7 @@ TEST(SolidBlocks, ScaleAndUpAxis)
 
 TEST(SolidBlocks, FaultsNameTheBlock)
 {
-    const auto report = [](const Solids& solids)
-    { return test::reportOf([&] { solidBlocks(solids, {}, file); }); };
+    const auto report = [](const Solids& solids) { return reportOf([&] { solidBlocks(solids, {}, file); }); };
     Polyhedron open = makeBox({0, 0, 0}, {1, 1, 1});
     open.faces.pop_back();
     Solids solids = solidsOf({makeBox({0, 0, 0}, {1, 1, 1}), open});
@@ -343,7 +342,7 @@ TEST(SolidBlocks, InterfacesBecomeJointsWithNormalsIntoTheLowerBlock)
     Solids solids = solidsOf({makeBox({0, 0, 1}, {1, 1, 2}), makeBox({0, 0, 0}, {1, 1, 1})});
     SolidSettings settings;
     settings.interfaces = Interfaces::contacts;
-    EXPECT_THAT(test::reportOf([&] { solidBlocks(solids, settings, file); }), HasSubstr("no interfaces"));
+    EXPECT_THAT(reportOf([&] { solidBlocks(solids, settings, file); }), HasSubstr("no interfaces"));
     for (const bool isReversed : {false, true})
     {
         std::vector<Vector<3>> points{{0, 0, 1}, {1, 0, 1}, {1, 0.5, 1}};
@@ -359,9 +358,9 @@ TEST(SolidBlocks, InterfacesBecomeJointsWithNormalsIntoTheLowerBlock)
         EXPECT_EQ(assembly.statedJoints[0].normal, Vector<3>(0, 0, 1));
     }
     solids.interfaces = {{1, 0, {{0, 0, 1}, {1, 0, 1}, {2, 0, 1}}}};
-    EXPECT_THAT(test::reportOf([&] { solidBlocks(solids, settings, file); }), HasSubstr("has no area"));
+    EXPECT_THAT(reportOf([&] { solidBlocks(solids, settings, file); }), HasSubstr("has no area"));
     solids.interfaces = {{1, 0, {{0, 0, 1}, {1, 0, 1}, {1, 1, 2}}}};
-    EXPECT_THAT(test::reportOf([&] { solidBlocks(solids, settings, file); }),
+    EXPECT_THAT(reportOf([&] { solidBlocks(solids, settings, file); }),
                 HasSubstr("lies along no face of either"));
 }
 

@@ -14,7 +14,6 @@
 
 using namespace drystone;
 using test::fileOf;
-using test::reportOf;
 using testing::AllOf;
 using testing::HasSubstr;
 

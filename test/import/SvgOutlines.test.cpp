@@ -47,9 +47,9 @@ TEST(SvgOutlines, AreClosedByTheirLastCornerOrOpen)
 
 TEST(SvgOutlines, RefuseCurvesAndNumbersWithoutACommand)
 {
-    EXPECT_THAT(test::reportOf([] { outlinesOf("M0 0C1 1 2 2 3 3"); }), HasSubstr("the command `C`"));
-    EXPECT_THAT(test::reportOf([] { outlinesOf("0 0 L 1 1"); }), HasSubstr("begins with a command"));
-    EXPECT_THAT(test::reportOf([] { outlinesOf("M0 0 1 0 1 1 Z 3 4"); }), HasSubstr("Numbers follow"));
+    EXPECT_THAT(reportOf([] { outlinesOf("M0 0C1 1 2 2 3 3"); }), HasSubstr("the command `C`"));
+    EXPECT_THAT(reportOf([] { outlinesOf("0 0 L 1 1"); }), HasSubstr("begins with a command"));
+    EXPECT_THAT(reportOf([] { outlinesOf("M0 0 1 0 1 1 Z 3 4"); }), HasSubstr("Numbers follow"));
 }
 
 } // namespace

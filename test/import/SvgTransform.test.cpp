@@ -43,7 +43,7 @@ TEST(SvgTransform, OfSeveralBeginsWithTheLast)
 TEST(SvgTransform, RefusesOtherNamesAndNumbersOfValues)
 {
     const auto report = [](std::string_view attribute) {
-        return test::reportOf([&] { movedBy(attribute, {0, 0}); });
+        return reportOf([&] { movedBy(attribute, {0, 0}); });
     };
     EXPECT_THAT(report("turn(3)"), HasSubstr("`turn` with 1 numbers is not known"));
     EXPECT_THAT(report("matrix(1 2 3)"), HasSubstr("`matrix` with 3 numbers is not known"));

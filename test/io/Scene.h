@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../Polygons.h"
+#include "../ReportOf.h"
 
 #include "contact/ContactPoint.h"
 #include "core/Error.h"
@@ -49,22 +50,6 @@ inline std::string content(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// What is reported to the user where a function throws.
-template<typename Function>
-std::string messageOf(Function function)
-{
-    try
-    {
-        function();
-    }
-    catch (const FatalError& error)
-    {
-        return error.report();
-    }
-    ADD_FAILURE() << "nothing was thrown";
-    return {};
 }
 
 inline ContactPoint<2> contact(int block, int neighbour, int joint, const Vector<2>& position,

@@ -24,7 +24,6 @@ namespace
 {
 
 using test::content;
-using test::messageOf;
 using test::ScratchFolder;
 using testing::AllOf;
 using testing::ElementsAre;
@@ -150,7 +149,7 @@ TEST_P(EveryFormat, RefusesWhatIsNotFinite)
     const ScratchFolder folder;
     State state;
     state.arrays["velocity"] = {0, std::numeric_limits<double>::quiet_NaN()};
-    EXPECT_THAT(messageOf([&] { writeState(folder.path(), "1", state, GetParam()); }), HasSubstr("velocity"));
+    EXPECT_THAT(reportOf([&] { writeState(folder.path(), "1", state, GetParam()); }), HasSubstr("velocity"));
     EXPECT_FALSE(std::filesystem::exists(folder / "1"));
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
@@ -167,7 +166,7 @@ TEST(TimeDirectory, ABinaryStateWithANumberThatIsNotFiniteIsRefused)
     const double bad = std::numeric_limits<double>::infinity();
     text.replace(text.find('(') + 1, 8, reinterpret_cast<const char*>(&bad), 8);
     std::ofstream(folder / "state", std::ios::binary) << text;
-    EXPECT_THAT(messageOf([&] { readState(folder / "state"); }), HasSubstr("not a finite number"));
+    EXPECT_THAT(reportOf([&] { readState(folder / "state"); }), HasSubstr("not a finite number"));
 }
 
 TEST_P(EveryFormat, AnotherNumberThanWasWrittenIsRefusedUnlessTheChecksumIsRemoved)
@@ -179,11 +178,11 @@ TEST_P(EveryFormat, AnotherNumberThanWasWrittenIsRefusedUnlessTheChecksumIsRemov
     std::string text = stateText(state, GetParam());
     text.replace(text.find("0.25"), 4, "0.35");
     std::ofstream(folder / "state", std::ios::binary) << text;
-    EXPECT_THAT(messageOf([&] { readState(folder / "state"); }),
+    EXPECT_THAT(reportOf([&] { readState(folder / "state"); }),
                 AllOf(HasSubstr("checksum does not fit"), HasSubstr("/state")));
     text = stateText(state, GetParam()) + "time 0.35;\n"; // which would count
     std::ofstream(folder / "state", std::ios::binary) << text;
-    EXPECT_THAT(messageOf([&] { readState(folder / "state"); }), HasSubstr("checksum does not fit"));
+    EXPECT_THAT(reportOf([&] { readState(folder / "state"); }), HasSubstr("checksum does not fit"));
     std::ofstream(folder / "state", std::ios::binary) << text.erase(text.rfind("\nchecksum") + 1);
     EXPECT_EQ(stateScalar(readState(folder / "state"), "time"), 0.25);
 }
@@ -218,7 +217,7 @@ TEST_P(EveryFormat, GivesTextsBack)
                   state.texts["input"]);
     }
     state.texts["input"] = {"a \"quote\""};
-    EXPECT_THAT(messageOf([&] { stateText(state, GetParam()); }), HasSubstr("put between quotes"));
+    EXPECT_THAT(reportOf([&] { stateText(state, GetParam()); }), HasSubstr("put between quotes"));
 }
 
 TEST(TimeDirectory, TextsThatEndTooEarlyAreErrors)
@@ -228,7 +227,7 @@ TEST(TimeDirectory, TextsThatEndTooEarlyAreErrors)
                              "input 1 (\"a\n\");", "input 1 (\"a\"", "input 2 (\"a\" 3);"})
     {
         std::ofstream(folder / "state") << text;
-        EXPECT_THAT(messageOf([&] { readState(folder / "state"); }),
+        EXPECT_THAT(reportOf([&] { readState(folder / "state"); }),
                     AllOf(HasSubstr("/state"), HasSubstr(" at line ")))
             << text;
     }
@@ -251,7 +250,7 @@ TEST(TimeDirectory, ErrorsOfAStateNameFileAndLine)
     const auto read = [&](const std::string& text)
     {
         std::ofstream(folder / "state") << text;
-        return messageOf([&] { readState(folder / "state"); });
+        return reportOf([&] { readState(folder / "state"); });
     };
     EXPECT_THAT(read("time 1;\nvelocity 2(1 x);\n"), HasSubstr("state/velocity at line 2"));
     EXPECT_THAT(read("time 1;\nvelocity 3(1 2);\n"), HasSubstr("says that it has 3 values, but has 2"));
@@ -263,8 +262,8 @@ TEST(TimeDirectory, ErrorsOfAStateNameFileAndLine)
     // A name that is damaged into a comment leaves its list alone.
     EXPECT_THAT(read("time 1;\n//ntactGap 2\n(\n0.2\n0\n);\n"),
                 HasSubstr("is no name of an entry of a state"));
-    EXPECT_THAT(messageOf([&] { readState(folder / "absent/state"); }), HasSubstr("absent/state"));
-    EXPECT_THAT(messageOf([&] { readState(folder.path()); }), HasSubstr("is a directory"));
+    EXPECT_THAT(reportOf([&] { readState(folder / "absent/state"); }), HasSubstr("absent/state"));
+    EXPECT_THAT(reportOf([&] { readState(folder.path()); }), HasSubstr("is a directory"));
     EXPECT_THAT(read(std::string("\x7f"
                                  "ELF\0\0\x01\x02",
                                  8)),
@@ -278,15 +277,15 @@ TEST(TimeDirectory, MissingOrMissizedEntriesNameTheFile)
     state.arrays["velocity"] = {1, 2, 3};
     writeState(folder.path(), "2", state, WriteFormat::ascii);
     const State back = readState(folder / "2/state");
-    EXPECT_THAT(messageOf([&] { stateScalar(back, "time"); }),
+    EXPECT_THAT(reportOf([&] { stateScalar(back, "time"); }),
                 AllOf(HasSubstr("has no entry time"), HasSubstr("remove the time directory"),
                       HasSubstr("2/state at line 1")));
     std::ofstream(folder / "empty") << "";
-    EXPECT_THAT(messageOf([&] { stateScalar(readState(folder / "empty"), "time"); }),
+    EXPECT_THAT(reportOf([&] { stateScalar(readState(folder / "empty"), "time"); }),
                 AllOf(HasSubstr("holds nothing"), HasSubstr("remove the time directory"),
                       HasSubstr("empty at line 1")));
-    EXPECT_THAT(messageOf([&] { stateArray(back, "rotation", 3); }), HasSubstr("rotation"));
-    EXPECT_THAT(messageOf([&] { stateArray(back, "velocity", 6); }),
+    EXPECT_THAT(reportOf([&] { stateArray(back, "rotation", 3); }), HasSubstr("rotation"));
+    EXPECT_THAT(reportOf([&] { stateArray(back, "velocity", 6); }),
                 HasSubstr("3 values where this case needs 6"));
 }
 
@@ -429,7 +428,7 @@ TEST(TimeDirectory, ACaseThatCannotBeWrittenIsNamed)
 {
     const ScratchFolder folder;
     std::ofstream(folder / "case") << "a file";
-    EXPECT_THAT(messageOf([&] { writeState(folder / "case", "1", {}, WriteFormat::ascii); }),
+    EXPECT_THAT(reportOf([&] { writeState(folder / "case", "1", {}, WriteFormat::ascii); }),
                 HasSubstr("case/"));
 }
 
@@ -445,7 +444,7 @@ TEST(TimeDirectory, AFullDiskLeavesNothingBehind)
     State state;
     state.arrays["displacement"] = std::vector<double>(1000, 1.25);
     const std::string message =
-        messageOf([&] { writeState(folder.path(), "0.19", state, WriteFormat::ascii); });
+        reportOf([&] { writeState(folder.path(), "0.19", state, WriteFormat::ascii); });
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
     std::signal(SIGXFSZ, handler);
     EXPECT_THAT(message, HasSubstr("0.19"));

@@ -2,6 +2,7 @@
 /// What is a case directory, and what is said of one that is none.
 #include "runControl/Case.h"
 
+#include "../ReportOf.h"
 #include "core/Error.h"
 
 #include <gmock/gmock.h>
@@ -18,15 +19,7 @@ namespace fs = std::filesystem;
 
 std::string refusalOf(const fs::path& directory)
 {
-    try
-    {
-        requireCase(directory);
-    }
-    catch (const FatalError& error)
-    {
-        return error.what();
-    }
-    return "";
+    return reportOf([&] { requireCase(directory); });
 }
 
 TEST(Case, ThatMayNotBeReadIsSaidToBeSo)
@@ -35,7 +28,7 @@ TEST(Case, ThatMayNotBeReadIsSaidToBeSo)
     fs::create_directories(folder / "case/system");
     fs::create_directories(folder / "empty");
     fs::permissions(folder, fs::perms::all);
-    EXPECT_EQ(refusalOf(folder / "case"), "");
+    EXPECT_EQ(refusalOf(folder / "case"), "no error");
     EXPECT_THAT(refusalOf(folder / "empty"), testing::HasSubstr("is not a case directory"));
     EXPECT_THAT(refusalOf(folder / "absent"), testing::HasSubstr("is not a case directory"));
 

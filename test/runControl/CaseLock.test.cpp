@@ -2,6 +2,7 @@
 /// One run at a time in a case.
 #include "runControl/CaseLock.h"
 
+#include "../ReportOf.h"
 #include "core/Error.h"
 
 #include <gmock/gmock.h>
@@ -31,17 +32,10 @@ TEST_F(LockedCase, ASecondRunIsRefusedUntilTheFirstHasEnded)
 {
     std::optional<CaseLock> first;
     first.emplace(folder, "limitAnalysis", "Wait.");
-    try
-    {
-        const CaseLock second(folder, "contactDynamics", "Wait for it.");
-        FAIL() << "two runs in one case";
-    }
-    catch (const FatalError& error)
-    {
-        EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr(folder.string()),
-                                                 testing::HasSubstr("contactDynamics would mix"),
-                                                 testing::EndsWith("Wait for it.")));
-    }
+    EXPECT_THAT(reportOf([&] { const CaseLock second(folder, "contactDynamics", "Wait for it."); }),
+                testing::AllOf(testing::HasSubstr(folder.string()),
+                               testing::HasSubstr("contactDynamics would mix"),
+                               testing::HasSubstr("Wait for it.\n\nDRYSTONE exiting")));
     first.reset();
     EXPECT_NO_THROW(CaseLock(folder, "contactDynamics", "Wait for it."));
 }

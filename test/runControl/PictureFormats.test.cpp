@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "runControl/PictureFormats.h"
 
+#include "../ReportOf.h"
 #include "core/Error.h"
 #include "core/WholeFile.h"
 #include "runControl/Time.h"
@@ -29,15 +30,7 @@ protected:
     }
     std::string refusal() const
     {
-        try
-        {
-            readPictureFormats(folder);
-        }
-        catch (const FatalIOError& error)
-        {
-            return error.report();
-        }
-        return "";
+        return reportOf([&] { readPictureFormats(folder); });
     }
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / ("drystonePictureFormats." + std::to_string(getpid()));

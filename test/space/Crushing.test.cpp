@@ -5,7 +5,6 @@
 #include "contact/PointAreas.h"
 #include "contact/space/PatchCells.h"
 #include "statics/CrushingHinges.h"
-#include "texture/RunningBond.h"
 
 #include <gtest/gtest.h>
 
@@ -179,17 +178,11 @@ TEST(CrushingInSpace, AnExtrudedWallEqualsThePlaneWallWhateverItsThickness)
         bond.unit = {chance(0.2, 0.6), chance(0.1, 0.3)};
         bond.length = 2 + i % 2;
         bond.courses = 2 + i % 4;
-        Assembly<2> wall = makeAssembly(bond);
-        wall.blocks.push_back({{{-9, -1}, {9, -1}, {9, 0}, {-9, 0}}, 1, 0});
-        wall.supports = {{"ground", "ground"}};
+        const Assembly<2> wall = test::wallOnGround(bond);
         const double mu = chance(0.3, 0.9);
         const double thickness = chance(0.1, 1);
         const double crushing = bond.courses * bond.unit.y() * std::exp(chance(1, 4));
-        std::vector<double> masses;
-        for (const BlockMass<2>& block : blockMasses(wall))
-        {
-            masses.push_back(block.volume);
-        }
+        const std::vector<double> masses = test::unitMasses(wall);
         JointPoints<2> joints;
         joints.points = findContactPoints(wall);
         joints.friction.assign(joints.points.size(), mu);
@@ -210,17 +203,7 @@ TEST(CrushingInSpace, AnExtrudedWallEqualsThePlaneWallWhateverItsThickness)
             ASSERT_EQ(plane.status, CollapseStatus::optimal) << "instance " << i;
             isAdded = addCrushingHinges(joints, {plane.contactForce}, 1e-8);
         }
-        std::vector<Polyhedron> shapes;
-        for (const Block<2>& block : wall.blocks)
-        {
-            if (block.support < 0)
-            {
-                const Vector<2>& lower = block.outline[0];
-                const Vector<2>& upper = block.outline[2];
-                shapes.push_back(makeBox({lower.x(), 0, lower.y()}, {upper.x(), thickness, upper.y()}));
-            }
-        }
-        const Assembly<3> extruded = onGround(shapes);
+        const Assembly<3> extruded = test::extruded(wall, thickness);
         const LimitAnalysis space = withHinges(extruded, mu, pushed(extruded, {1, 0, 0}), {0, 0, crushing});
         ASSERT_EQ(space.status, CollapseStatus::optimal) << "instance " << i;
         EXPECT_NEAR(space.alpha, plane.alpha, exact) << "instance " << i;

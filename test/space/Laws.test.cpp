@@ -1,7 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 // Closed forms of structures in space, each with random instances: what any correct program must obey.
 #include "SpaceStructures.h"
-#include "texture/RunningBond.h"
 
 #include <gtest/gtest.h>
 
@@ -126,16 +125,10 @@ TEST(LawsOfSpace, AnExtrudedWallEqualsThePlaneWallWhateverItsThickness)
         bond.unit = {chance(0.2, 0.6), chance(0.1, 0.3)};
         bond.length = 2 + i % 3;
         bond.courses = 2 + i % 5;
-        Assembly<2> wall = makeAssembly(bond);
-        wall.blocks.push_back({{{-9, -1}, {9, -1}, {9, 0}, {-9, 0}}, 1, 0});
-        wall.supports = {{"ground", "ground"}};
+        const Assembly<2> wall = test::wallOnGround(bond);
         const double mu = chance(0.2, 0.9);
         const double thickness = chance(0.1, 2);
-        std::vector<double> masses;
-        for (const BlockMass<2>& block : blockMasses(wall))
-        {
-            masses.push_back(block.volume);
-        }
+        const std::vector<double> masses = test::unitMasses(wall);
         const std::vector<ContactPoint<2>> points = findContactPoints(wall);
         const LimitAnalysis plane = solveLimitAnalysis(limitAnalysisProgram(
             static_cast<int>(wall.blocks.size()) - 1, equilibriumColumns(wall, blockMasses(wall), points),
@@ -143,23 +136,7 @@ TEST(LawsOfSpace, AnExtrudedWallEqualsThePlaneWallWhateverItsThickness)
             {gravityLoad(wall, masses, {0, -1}), inertialLoad(wall, masses, {0, -1}, {1, 0})}));
         ASSERT_EQ(plane.status, CollapseStatus::optimal) << "instance " << i;
 
-        std::vector<Polyhedron> shapes;
-        for (const Block<2>& block : wall.blocks)
-        {
-            if (block.support < 0)
-            {
-                std::vector<Vector<3>> front;
-                std::vector<Vector<3>> back;
-                for (const Vector<2>& corner : block.outline)
-                {
-                    front.emplace_back(corner.x(), 0, corner.y());
-                    back.emplace_back(corner.x(), thickness, corner.y());
-                }
-                shapes.push_back(makePrism(back, front)); // counter-clockwise seen from the front
-            }
-        }
-        const Assembly<3> extruded = onGround(shapes);
-        const double alpha = multiplier(extruded, mu, {1, 0, 0});
+        const double alpha = multiplier(test::extruded(wall, thickness), mu, {1, 0, 0});
         EXPECT_NEAR(alpha, plane.alpha, exact) << "instance " << i;
     }
 }
@@ -188,12 +165,7 @@ TEST(LawsOfSpace, OfEqualBoxesOnEachOtherTheWholeStackRocks)
          {std::pair(Vector<3>(1, 0, 0), 1.0 / 3), std::pair(Vector<3>(0, 1, 0), 1.0 / 6),
           std::pair(Vector<3>(1, 1, 0), 0.235702260)})
     {
-        std::vector<Polyhedron> boxes;
-        for (int k = 0; k < 6; ++k)
-        {
-            boxes.push_back(makeBox({0, 0, 0.2 * k}, {0.4, 0.2, 0.2 * (k + 1)}));
-        }
-        EXPECT_NEAR(multiplier(onGround(boxes), 0.5, direction), expected, exact);
+        EXPECT_NEAR(multiplier(test::tower(0.2, 0.1, 0.2, 6), 0.5, direction), expected, exact);
     }
 }
 
@@ -208,13 +180,9 @@ TEST(LawsOfSpace, AnyStackOfEqualBoxesRocksAsAWholeOrSlides)
         const double mu = chance(0.1, 1.5);
         const double q = chance(0.05, 1.5);
         const int count = 2 + i % 5;
-        std::vector<Polyhedron> boxes;
-        for (int k = 0; k < count; ++k)
-        {
-            boxes.push_back(makeBox({-a, -b, 2 * h * k}, {a, b, 2 * h * (k + 1)}));
-        }
         const double expected = std::min({mu, a / (count * h * std::cos(q)), b / (count * h * std::sin(q))});
-        EXPECT_NEAR(multiplier(onGround(boxes), mu, {std::cos(q), std::sin(q), 0}), expected, exact)
+        EXPECT_NEAR(multiplier(test::tower(a, b, 2 * h, count), mu, {std::cos(q), std::sin(q), 0}), expected,
+                    exact)
             << "instance " << i;
     }
 }
@@ -227,13 +195,8 @@ TEST(LawsOfSpace, APrismOverturnsAboutAFaceOrACorner)
         const int sides = 3 + i % 7;
         const double circumradius = chance(0.1, 0.5);
         const double height = chance(1, 3);
-        std::vector<Vector<2>> outline;
-        for (int k = 0; k < sides; ++k)
-        {
-            const double angle = 2 * std::numbers::pi * k / sides;
-            outline.emplace_back(circumradius * std::cos(angle), circumradius * std::sin(angle));
-        }
-        const Assembly<3> assembly = onGround({test::prism(outline, 0, height)});
+        const Assembly<3> assembly =
+            onGround({test::prism(test::regularPolygon(sides, circumradius), 0, height)});
         const double half = std::numbers::pi / sides;
         EXPECT_NEAR(multiplier(assembly, 2, {std::cos(half), std::sin(half), 0}),
                     std::min(2.0, circumradius * std::cos(half) / (height / 2)), exact)
@@ -254,13 +217,7 @@ TEST(LawsOfSpace, PureTorqueOnPointsOfOneRadius)
         const double radius = chance(0.1, 1);
         const double height = chance(0.1, 1);
         const double mu = chance(0.1, 1);
-        std::vector<Vector<2>> outline;
-        for (int k = 0; k < sides; ++k)
-        {
-            const double angle = 2 * std::numbers::pi * k / sides;
-            outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-        }
-        const Assembly<3> assembly = onGround({test::prism(outline, 0, height)});
+        const Assembly<3> assembly = onGround({test::prism(test::regularPolygon(sides, radius), 0, height)});
         LoadVectors loads = pushed(assembly, {1, 0, 0});
         const double weight = -loads.dead[2];
         loads.live.setZero();

@@ -7,10 +7,13 @@
 #include "contact/ContactPoint.h"
 #include "statics/LimitAnalysis.h"
 #include "statics/Settlement.h"
+#include "texture/RunningBond.h"
 
 #include <Eigen/Geometry>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -51,10 +54,11 @@ inline Assembly<3> onGround(const std::vector<Polyhedron>& shapes)
     return assembly;
 }
 
-inline std::vector<double> unitMasses(const Assembly<3>& assembly)
+template<int Dim>
+std::vector<double> unitMasses(const Assembly<Dim>& assembly)
 {
     std::vector<double> masses;
-    for (const BlockMass<3>& block : blockMasses(assembly))
+    for (const BlockMass<Dim>& block : blockMasses(assembly))
     {
         masses.push_back(block.volume);
     }
@@ -102,6 +106,59 @@ inline Polyhedron prism(const std::vector<Vector<2>>& outline, double bottom, do
         above.emplace_back(corner.x(), corner.y(), top);
     }
     return makePrism(below, above);
+}
+
+/// The corners of a regular polygon about the origin, the first of them along x.
+inline std::vector<Vector<2>> regularPolygon(int sides, double circumradius)
+{
+    std::vector<Vector<2>> outline;
+    for (int k = 0; k < sides; ++k)
+    {
+        const double angle = 2 * std::numbers::pi * k / sides;
+        outline.emplace_back(circumradius * std::cos(angle), circumradius * std::sin(angle));
+    }
+    return outline;
+}
+
+/// Boxes of 2 a, 2 b and the height h on each other, and on the ground.
+inline Assembly<3> tower(double a, double b, double h, int count)
+{
+    std::vector<Polyhedron> boxes;
+    for (int k = 0; k < count; ++k)
+    {
+        boxes.push_back(makeBox({-a, -b, h * k}, {a, b, h * (k + 1)}));
+    }
+    return onGround(boxes);
+}
+
+/// A wall of the plane on the ground, its last block.
+inline Assembly<2> wallOnGround(const RunningBond& bond)
+{
+    Assembly<2> wall = makeAssembly(bond);
+    wall.blocks.push_back({{{-9, -1}, {9, -1}, {9, 0}, {-9, 0}}, 1, 0});
+    wall.supports = {{"ground", "ground"}};
+    return wall;
+}
+
+/// The free blocks of a wall of the plane with a thickness, on the ground.
+inline Assembly<3> extruded(const Assembly<2>& wall, double thickness)
+{
+    std::vector<Polyhedron> shapes;
+    for (const Block<2>& block : wall.blocks)
+    {
+        if (block.support < 0)
+        {
+            std::vector<Vector<3>> front;
+            std::vector<Vector<3>> back;
+            for (const Vector<2>& corner : block.outline)
+            {
+                front.emplace_back(corner.x(), 0, corner.y());
+                back.emplace_back(corner.x(), thickness, corner.y());
+            }
+            shapes.push_back(makePrism(back, front)); // counter-clockwise seen from the front
+        }
+    }
+    return onGround(shapes);
 }
 
 /// The assembly turned about the origin, scaled and moved.

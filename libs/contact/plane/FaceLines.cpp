@@ -107,63 +107,124 @@ Line lineThrough(const std::vector<int>& onLine, const std::vector<Vector<2>>& p
     return fittedLine(places);
 }
 
+/// The corners of all blocks in one row.
+struct AllCorners
+{
+    std::vector<Vector<2>> place;
+    std::vector<int> owner; ///< block of each
+};
+
+/// Corners of different blocks that are within reach of each other.
+DisjointSets groupsOf(const AllCorners& corners, double reach)
+{
+    std::vector<BoundingBox> boxes;
+    for (const Vector<2>& corner : corners.place)
+    {
+        boxes.push_back(enlarged({corner, corner}, reach / 2));
+    }
+    DisjointSets groups(corners.place.size());
+    for (const auto& [one, other] : findMeetingPairs(boxes))
+    {
+        if (corners.owner[one] != corners.owner[other]
+            && (corners.place[one] - corners.place[other]).norm() <= reach)
+        {
+            groups.join(one, other);
+        }
+    }
+    return groups;
+}
+
+/// Makes a group of corners one node, or a node each where two of them are of one block: these never become
+/// one, not even by way of a third.
+void addNodes(const std::vector<int>& group, const AllCorners& corners, CornerNodes& nodes)
+{
+    std::vector<int> owners;
+    for (const int corner : group)
+    {
+        owners.push_back(corners.owner[corner]);
+    }
+    std::sort(owners.begin(), owners.end());
+    const bool isOne = std::adjacent_find(owners.begin(), owners.end()) == owners.end();
+    Vector<2> sum = Vector<2>::Zero();
+    for (const int corner : group)
+    {
+        sum += corners.place[corner] - corners.place[group.front()];
+        nodes.ofCorner[corner] = static_cast<int>(nodes.place.size());
+        if (!isOne)
+        {
+            nodes.place.push_back(corners.place[corner]);
+        }
+    }
+    if (isOne && !group.empty())
+    {
+        nodes.place.push_back(corners.place[group.front()] + sum / static_cast<double>(group.size()));
+    }
+}
+
+/// The faces, edges with a neighbour, that end at each node.
+std::vector<std::vector<int>> facesAtNodes(const CornerNodes& nodes, const std::vector<OutlineEdge>& edges,
+                                           const std::vector<char>& isFace)
+{
+    std::vector<std::vector<int>> facesAt(nodes.place.size());
+    for (std::size_t edge = 0; edge < edges.size(); ++edge)
+    {
+        if (isFace[edge])
+        {
+            const std::size_t begin = nodes.first[edges[edge].block];
+            for (const int end : {edges[edge].first, edges[edge].last})
+            {
+                facesAt[nodes.ofCorner[begin + static_cast<std::size_t>(end)]].push_back(
+                    static_cast<int>(edge));
+            }
+        }
+    }
+    return facesAt;
+}
+
+/// Joins those of some faces at a node that go on straight.
+void joinStraight(const std::vector<int>& faces, const std::vector<OutlineEdge>& edges, double straight,
+                  DisjointSets& groups)
+{
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+        for (std::size_t j = 0; j < i; ++j)
+        {
+            const Vector<2> a = edges[faces[i]].to - edges[faces[i]].from;
+            const Vector<2> b = edges[faces[j]].to - edges[faces[j]].from;
+            if (std::abs(cross(a, b)) <= straight * std::max(a.norm(), b.norm()))
+            {
+                groups.join(faces[i], faces[j]);
+            }
+        }
+    }
+}
+
 } // namespace
 
 CornerNodes findCornerNodes(const Assembly<2>& assembly, double reach)
 {
     CornerNodes nodes;
     nodes.first.push_back(0);
-    std::vector<Vector<2>> corners;
-    std::vector<int> owner;
-    std::vector<BoundingBox> boxes;
+    AllCorners corners;
     for (std::size_t block = 0; block < assembly.blocks.size(); ++block)
     {
         for (const Vector<2>& corner : assembly.blocks[block].outline)
         {
-            corners.push_back(corner);
-            owner.push_back(static_cast<int>(block));
-            boxes.push_back(enlarged({corner, corner}, reach / 2));
+            corners.place.push_back(corner);
+            corners.owner.push_back(static_cast<int>(block));
         }
-        nodes.first.push_back(corners.size());
+        nodes.first.push_back(corners.place.size());
     }
-    DisjointSets groups(corners.size());
-    for (const auto& [one, other] : findMeetingPairs(boxes))
-    {
-        if (owner[one] != owner[other] && (corners[one] - corners[other]).norm() <= reach)
-        {
-            groups.join(one, other);
-        }
-    }
-    std::vector<std::vector<int>> members(corners.size());
-    for (std::size_t corner = 0; corner < corners.size(); ++corner)
+    DisjointSets groups = groupsOf(corners, reach);
+    std::vector<std::vector<int>> members(corners.place.size());
+    for (std::size_t corner = 0; corner < members.size(); ++corner)
     {
         members[groups.firstOf(static_cast<int>(corner))].push_back(static_cast<int>(corner));
     }
-    nodes.ofCorner.resize(corners.size());
+    nodes.ofCorner.resize(members.size());
     for (const std::vector<int>& group : members)
     {
-        // Corners of one block never become one, not even by way of a third.
-        std::vector<int> owners;
-        for (const int corner : group)
-        {
-            owners.push_back(owner[corner]);
-        }
-        std::sort(owners.begin(), owners.end());
-        const bool isOne = std::adjacent_find(owners.begin(), owners.end()) == owners.end();
-        Vector<2> sum = Vector<2>::Zero();
-        for (const int corner : group)
-        {
-            sum += corners[corner] - corners[group.front()];
-            nodes.ofCorner[corner] = static_cast<int>(nodes.place.size());
-            if (!isOne)
-            {
-                nodes.place.push_back(corners[corner]);
-            }
-        }
-        if (isOne && !group.empty())
-        {
-            nodes.place.push_back(corners[group.front()] + sum / static_cast<double>(group.size()));
-        }
+        addNodes(group, corners, nodes);
     }
     return nodes;
 }
@@ -179,33 +240,9 @@ FaceLines findFaceLines(const Assembly<2>& assembly, const CornerNodes& nodes,
         groups.join(piece.edge, piece.neighbourEdge);
         isFace[piece.edge] = isFace[piece.neighbourEdge] = true;
     }
-    std::vector<std::vector<int>> facesAt(nodes.place.size());
-    for (std::size_t edge = 0; edge < edges.size(); ++edge)
+    for (const std::vector<int>& faces : facesAtNodes(nodes, edges, isFace))
     {
-        if (isFace[edge])
-        {
-            const std::size_t begin = nodes.first[edges[edge].block];
-            for (const int end : {edges[edge].first, edges[edge].last})
-            {
-                facesAt[nodes.ofCorner[begin + static_cast<std::size_t>(end)]].push_back(
-                    static_cast<int>(edge));
-            }
-        }
-    }
-    for (const std::vector<int>& faces : facesAt)
-    {
-        for (std::size_t i = 0; i < faces.size(); ++i)
-        {
-            for (std::size_t j = 0; j < i; ++j)
-            {
-                const Vector<2> a = edges[faces[i]].to - edges[faces[i]].from;
-                const Vector<2> b = edges[faces[j]].to - edges[faces[j]].from;
-                if (std::abs(cross(a, b)) <= straight * std::max(a.norm(), b.norm()))
-                {
-                    groups.join(faces[i], faces[j]);
-                }
-            }
-        }
+        joinStraight(faces, edges, straight, groups);
     }
     FaceLines result;
     result.nodesOf.resize(edges.size());

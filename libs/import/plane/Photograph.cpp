@@ -5,6 +5,7 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/NamedFile.h"
+#include "core/ShownList.h"
 #include "geometry/BroadPhase.h"
 #include "geometry/PolygonShape.h"
 #include "import/plane/StoneBorders.h"
@@ -79,15 +80,13 @@ void reportHoles(const std::vector<int>& filled, double scale)
     }
     const auto areaOf = [&](int stone) { return filled[static_cast<std::size_t>(stone)] * scale * scale; };
     std::stable_sort(stones.begin(), stones.end(), [&](int a, int b) { return areaOf(a) > areaOf(b); });
-    constexpr std::size_t most = 8;
-    std::string list;
-    for (std::size_t i = 0; i < std::min(most, stones.size()); ++i)
+    std::vector<std::string> texts;
+    for (const int stone : stones)
     {
-        list += fmt::format("{}{} ({:.3g})", i > 0 ? ", " : "", stones[i], areaOf(stones[i]));
+        texts.push_back(fmt::format("{} ({:.3g})", stone, areaOf(stone)));
     }
-    info("Import: holes are filled, with what lies in them, {:.3g} m2 in all: blocks {}{}",
-         sum * scale * scale, list,
-         stones.size() > most ? fmt::format(" and {} more", stones.size() - most) : "");
+    info("Import: holes are filled, with what lies in them, {:.3g} m2 in all: blocks {}", sum * scale * scale,
+         shownList(texts, 8));
 }
 
 /// \throws FatalIOError for a point that is not in the picture: its scale would be wrong

@@ -64,6 +64,42 @@ enum class FacesTurned
     inwards
 };
 
+/// A face as seen along one of its edges.
+struct Sheet
+{
+    int face;
+    double angle;
+    double blur; ///< of the angle, by the rounding of its corner
+    bool isForward;
+};
+
+/// The next sheet that runs forward, turned from another towards larger angles. \return its face; -1: none
+int partnerOf(const Sheet& sheet, const std::vector<Sheet>& sheets)
+{
+    constexpr double turn = 2 * std::numbers::pi;
+    constexpr double leastAngle = 1e-6; // faces that lie on each other bound different solids
+    constexpr double mostAngle = 1e-3;
+    double nearest = 2 * turn;
+    int partner = -1;
+    for (const Sheet& other : sheets)
+    {
+        if (!other.isForward)
+        {
+            continue;
+        }
+        const double sameAngle = std::clamp(2 * (sheet.blur + other.blur), leastAngle, mostAngle);
+        double angle = other.angle - sheet.angle;
+        angle += angle <= sameAngle ? turn : 0;
+        angle += angle <= sameAngle ? turn : 0;
+        if (angle < nearest)
+        {
+            nearest = angle;
+            partner = other.face;
+        }
+    }
+    return partner;
+}
+
 /// Of more than two faces at an edge those that bound a solid across it belong together. Seen along the edge,
 /// a face that runs along it from low to high vertex has its solid on the side towards smaller angles (faces
 /// are turned outwards, counter-clockwise), one that runs back towards larger ones; where all faces are
@@ -80,13 +116,6 @@ void joinAround(const Polyhedron& mesh, EdgeIterator first, EdgeIterator last, F
     }
     const Vector<3> along = whole / length;
     const Eigen::Matrix3d frame = frameOf(along);
-    struct Sheet
-    {
-        int face;
-        double angle;
-        double blur; ///< of the angle, by the rounding of its corner
-        bool isForward;
-    };
     std::vector<Sheet> sheets;
     for (auto edge = first; edge != last; ++edge)
     {
@@ -95,33 +124,9 @@ void joinAround(const Polyhedron& mesh, EdgeIterator first, EdgeIterator last, F
                           rounding / side.norm(),
                           (edge->from == edge->low()) == (turned == FacesTurned::outwards)});
     }
-    constexpr double turn = 2 * std::numbers::pi;
-    constexpr double leastAngle = 1e-6; // faces that lie on each other bound different solids
-    constexpr double mostAngle = 1e-3;
     for (const Sheet& sheet : sheets)
     {
-        if (sheet.isForward)
-        {
-            continue;
-        }
-        double nearest = 2 * turn;
-        int partner = -1;
-        for (const Sheet& other : sheets)
-        {
-            if (!other.isForward)
-            {
-                continue;
-            }
-            const double sameAngle = std::clamp(2 * (sheet.blur + other.blur), leastAngle, mostAngle);
-            double angle = other.angle - sheet.angle;
-            angle += angle <= sameAngle ? turn : 0;
-            angle += angle <= sameAngle ? turn : 0;
-            if (angle < nearest)
-            {
-                nearest = angle;
-                partner = other.face;
-            }
-        }
+        const int partner = sheet.isForward ? -1 : partnerOf(sheet, sheets);
         if (partner >= 0)
         {
             pieces.join(sheet.face, partner);

@@ -3,6 +3,7 @@
 #include "texture/plane/PlaneRubble.h"
 
 #include "core/DisjointSets.h"
+#include "core/ShownList.h"
 #include "geometry/BroadPhase.h"
 #include "texture/Voronoi.h"
 
@@ -237,7 +238,6 @@ std::string lossOfStones(const PlaneRubble& rubble, const Assembly<2>& assembly)
     {
         return "";
     }
-    constexpr std::size_t most = 8;
     std::vector<std::string> places;
     const Cells cells = cellsOf(rubble);
     for (std::size_t i = 0; i < cells.merged.size(); ++i)
@@ -248,15 +248,12 @@ std::string lossOfStones(const PlaneRubble& rubble, const Assembly<2>& assembly)
             places.push_back(fmt::format("({:.4g} {:.4g})", place.x(), place.y()));
         }
     }
-    const std::size_t shown = std::min(most, places.size());
-    const auto end = places.begin() + static_cast<std::ptrdiff_t>(shown);
     return fmt::format(
         "{} of {} stones are left: joints shorter than leastJoint, {:g} of the mean size of a stone, shrink "
-        "to a corner, and the other {} had no face any more: {}{} [m]. Their neighbours take their place, "
+        "to a corner, and the other {} had no face any more: {} [m]. Their neighbours take their place, "
         "and blocks are numbered without them. Reduce leastJoint, or give more relaxations, to keep all of "
         "them.",
-        left, rubble.stones, rubble.leastJoint, rubble.stones - left, fmt::join(places.begin(), end, ", "),
-        places.size() > shown ? fmt::format(" and {} more", places.size() - shown) : "");
+        left, rubble.stones, rubble.leastJoint, rubble.stones - left, shownList(places, 8));
 }
 
 } // namespace drystone
