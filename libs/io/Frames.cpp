@@ -184,11 +184,6 @@ void addRotation(Field& field, const Placement<3>& placement)
     addVector(field, placement.rotation.data());
 }
 
-} // namespace
-
-namespace
-{
-
 /// By how much the corners of a block have moved.
 template<int Dim>
 std::vector<Vector<Dim>> movesOf(const Block<Dim>& block, std::vector<Vector<Dim>> placed)

@@ -116,6 +116,19 @@ TEST(MotionSummary, SaysHowManyStepsOverlookContacts)
         "no contact was foreseen: shorter steps foresee it");
 }
 
+TEST(MotionSummary, SaysHowManyStepsAreWithoutRebounds)
+{
+    const DynamicCase<2> scene = stack(); // blocks of 1 m
+    MotionSummary<2> summary(scene);
+    summary.observe(upperAt(scene, 0.5, 0.3, 0.2));
+    summary.observe(upperAt(scene, 0.6, 0.4, 0.2), {.isWithoutRebounds = true});
+    const DynamicState<2> last = upperAt(scene, 0.7, 0.5, 0.2);
+    summary.observe(last, {.isWithoutRebounds = true});
+    EXPECT_EQ(summary.lines(last).back(),
+              "Blocks that hit each other stay together in 2 of 3 steps, the first at 0.6 s, as by theta 1 "
+              "without restitution: impacts one after the other had no end within maximumFactorisations");
+}
+
 TEST(MotionSummary, SmallDisplacementsThatAreNotSmallAreQuestioned)
 {
     DynamicCase<2> scene = stack();
