@@ -4,6 +4,7 @@
 #pragma once
 
 #include "statics/CoulombExchange.h"
+#include "statics/LimitAnalysis.h"
 #include "statics/ProperFrame.h"
 
 #include <functional>
