@@ -104,38 +104,48 @@ bool advance(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep
     return advanceInParts(scene, motion, timeStep);
 }
 
-template<int Dim>
-ShortenedStep advanceOrShorten(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep)
+namespace
 {
-    motion.work = allowedWork(scene);
-    std::optional<DynamicCase<Dim>> plastic; // empty: blocks rebound, if they do
-    double length = timeStep;
-    int retries = 0;
-    while (true)
+
+/// Halves the step until it is solved, as often and as long as is allowed.
+template<int Dim>
+ShortenedStep halveUntilSolved(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep)
+{
+    for (int retries = 0;; ++retries)
     {
-        const bool isSolved = advanceInParts(plastic ? *plastic : scene, motion, length);
+        const bool isSolved = advanceInParts(scene, motion, timeStep);
         motion.attempt.retries = retries;
         if (isSolved)
         {
             motion.residuals.retries = retries;
-            motion.residuals.isWithoutRebounds = plastic.has_value();
-            return {true, length};
+            return {true, timeStep};
         }
-        if (retries < mostHalvings && !motion.work.isUsedUp())
+        if (retries == mostHalvings || motion.work.isUsedUp())
         {
-            length /= 2;
-            ++retries;
-            continue;
+            return {false, timeStep};
         }
-        if (plastic || !hasImpacts(scene))
-        {
-            return {false, length};
-        }
-        plastic = withoutRebounds(scene);
-        motion.work.most = motion.work.done + workWithoutRebounds * motion.work.most;
-        length = timeStep;
-        retries = 0;
+        timeStep /= 2;
     }
+}
+
+} // namespace
+
+template<int Dim>
+ShortenedStep advanceOrShorten(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeStep)
+{
+    motion.work = allowedWork(scene);
+    ShortenedStep taken = halveUntilSolved(scene, motion, timeStep);
+    if (taken.isSolved || !hasImpacts(scene))
+    {
+        return taken;
+    }
+    motion.work.most = motion.work.done + workWithoutRebounds * motion.work.most;
+    taken = halveUntilSolved(withoutRebounds(scene), motion, timeStep);
+    if (taken.isSolved)
+    {
+        motion.residuals.isWithoutRebounds = true;
+    }
+    return taken;
 }
 
 template<int Dim>

@@ -41,20 +41,20 @@ std::vector<std::size_t> columnsOfVariables(const std::vector<std::string>& colu
 /// comment before its first row, or without one in its first line.
 char separatorOf(std::istream& table)
 {
-    std::string heading;
+    std::string titles;
     for (TableLine line; nextLine(table, line);)
     {
-        if (line.isHeading || (heading.empty() && !line.words.empty()))
+        if (line.isHeading || (titles.empty() && !line.words.empty()))
         {
-            heading = line.text;
+            titles = line.text;
         }
         if (!line.isHeading && !line.words.empty())
         {
             break;
         }
     }
-    const std::size_t separator = heading.find_first_of(",;");
-    return separator == std::string::npos ? ' ' : heading[separator];
+    const std::size_t separator = titles.find_first_of(",;");
+    return separator == std::string::npos ? ' ' : titles[separator];
 }
 
 std::ifstream opened(const std::filesystem::path& file, const Design& design)

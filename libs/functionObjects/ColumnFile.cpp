@@ -45,7 +45,7 @@ ColumnFile::ColumnFile(const std::filesystem::path& path, const std::vector<std:
     {
         put("# " + note + "\n");
     }
-    put(columnHeading(columns));
+    put(columnTitles(columns));
 }
 
 void ColumnFile::write(std::span<const double> values)
@@ -66,7 +66,7 @@ void ColumnFile::put(const std::string& line)
     }
 }
 
-std::string columnHeading(const std::vector<std::string>& columns)
+std::string columnTitles(const std::vector<std::string>& columns)
 {
     return fmt::format("# {}\n", fmt::join(columns, "  "));
 }

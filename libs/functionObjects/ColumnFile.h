@@ -45,8 +45,9 @@ private:
     void put(const std::string& line);
 };
 
-/// The heading of a table, and a row of it, as ColumnFile writes them: each a line with its end.
-std::string columnHeading(const std::vector<std::string>& columns);
+/// The titles of the columns of a table, and a row of it, as ColumnFile writes them: each a line with its
+/// end.
+std::string columnTitles(const std::vector<std::string>& columns);
 std::string columnRow(std::span<const double> values, int digits);
 
 /// postProcessing/<function>/<startTime>/ of a case. The start time is that of the run, so that a run that

@@ -89,7 +89,7 @@ void EffectHistory<Dim>::writeTable(const std::filesystem::path& folder) const
     {
         columns.push_back(name + "[%]");
     }
-    std::string text = columnHeading(columns);
+    std::string text = columnTitles(columns);
     for (const Sums& row : sums)
     {
         std::vector<double> values{row.time};

@@ -399,7 +399,7 @@ TEST(Sampler, RefusesWhatIsImpossible)
 }
 
 // A file of Excel, pandas or NumPy was said to have no column, and to have none at all.
-TEST(Sampler, ATableMayHaveCommasAndAFirstLineForAHeading)
+TEST(Sampler, ATableMayHaveCommasAndAFirstLineOfTitles)
 {
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / ("drystoneSampleTable" + std::to_string(getpid()));
@@ -430,7 +430,7 @@ TEST(Sampler, ATableMayHaveCommasAndAFirstLineForAHeading)
     try
     {
         rowsOf("1 2\n3 4\n");
-        ADD_FAILURE() << "no heading was refused";
+        ADD_FAILURE() << "a table without titles was refused";
     }
     catch (const FatalIOError& error)
     {
