@@ -296,7 +296,7 @@ void MovingContacts<2>::standCorners(int owner, int cornerBlock, int edgeBlock, 
     }
 }
 
-void MovingContacts<2>::guardCorners(double margin)
+bool MovingContacts<2>::guardCorners(double margin)
 {
     // Two corners apart, each beyond the other's edges. Any one line that parts them is enough. A line with
     // which they are level comes first: along it they slide, or have just lost contact, and any other one
@@ -327,6 +327,7 @@ void MovingContacts<2>::guardCorners(double margin)
         }
         return best;
     };
+    bool leavesSome = false;
     for (int blockCorner = first[pairBlock]; blockCorner < first[pairBlock + 1]; ++blockCorner)
     {
         for (int neighbourCorner = first[pairNeighbour]; neighbourCorner < first[pairNeighbour + 1];
@@ -345,7 +346,31 @@ void MovingContacts<2>::guardCorners(double margin)
             {
                 offer(best, -pointTolerance, margin);
             }
+            else
+            {
+                leavesSome = leavesSome || areAtOnePlace;
+            }
         }
+    }
+    return leavesSome;
+}
+
+void MovingContacts<2>::guardOnEachWay(double margin)
+{
+    const bool leavesSome = guardCorners(margin);
+    for (const Outlines& heading : otherHeadings)
+    {
+        if (!leavesSome || !candidates.empty())
+        {
+            break;
+        }
+        placedAhead = &heading;
+        guardCorners(margin);
+        placedAhead = &aheadStorage;
+    }
+    if (leavesSome && candidates.empty())
+    {
+        leftAlone.emplace_back(pairBlock, pairNeighbour);
     }
 }
 

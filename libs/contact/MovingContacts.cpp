@@ -128,18 +128,23 @@ void MovingContacts<2>::place(Outlines& outlines, const std::vector<Placement<2>
 {
     for (std::size_t b = 0; b < centroids.size(); ++b)
     {
-        const Rotation turned(placements[b]);
-        const Vector<2> centre = centroids[b] + placements[b].translation;
-        BoundingBox box;
-        for (int i = first[b]; i < first[b + 1]; ++i)
-        {
-            const Vector<2> corner = centre + turned(localCorner[i]);
-            outlines.corner[i] = corner;
-            outlines.tangent[i] = turned(localTangent[i]);
-            extend<2>(box, corner);
-        }
-        outlines.box[b] = box;
+        placeBlock(outlines, static_cast<int>(b), placements[b]);
     }
+}
+
+void MovingContacts<2>::placeBlock(Outlines& outlines, int block, const Placement<2>& placement) const
+{
+    const Rotation turned(placement);
+    const Vector<2> centre = centroids[block] + placement.translation;
+    BoundingBox box;
+    for (int i = first[block]; i < first[block + 1]; ++i)
+    {
+        const Vector<2> corner = centre + turned(localCorner[i]);
+        outlines.corner[i] = corner;
+        outlines.tangent[i] = turned(localTangent[i]);
+        extend<2>(box, corner);
+    }
+    outlines.box[block] = box;
 }
 
 const std::vector<ContactPoint<2>>& MovingContacts<2>::update(const std::vector<Placement<2>>& now,
@@ -157,8 +162,26 @@ const std::vector<ContactPoint<2>>& MovingContacts<2>::update(const std::vector<
                                                               double margin)
 {
     assert(now.size() == centroids.size() && ahead.size() == centroids.size());
+    otherHeadings.clear();
     place(placedNow, now);
     place(aheadStorage, ahead);
+    placedAhead = &aheadStorage;
+    findNeighbours(margin);
+    return found;
+}
+
+const std::vector<ContactPoint<2>>&
+MovingContacts<2>::update(const std::vector<Placement<2>>& now,
+                          const std::vector<std::vector<Placement<2>>>& headings, double margin)
+{
+    assert(!headings.empty());
+    otherHeadings.resize(headings.size() - 1, aheadStorage);
+    for (std::size_t other = 1; other < headings.size(); ++other)
+    {
+        place(otherHeadings[other - 1], headings[other]);
+    }
+    place(placedNow, now);
+    place(aheadStorage, headings.front());
     placedAhead = &aheadStorage;
     findNeighbours(margin);
     return found;
@@ -192,6 +215,7 @@ void MovingContacts<2>::findNeighbours(double margin)
     }
     found.clear();
     cornerAndEdge.clear();
+    leftAlone.clear();
     joints = 0;
     lastMargin = margin;
     for (const auto& [block, neighbour] : neighbours)
@@ -255,7 +279,7 @@ void MovingContacts<2>::findPoints(int block, int neighbour, double margin)
     }
     if (candidates.empty() && placedAhead != &placedNow)
     {
-        guardCorners(margin);
+        guardOnEachWay(margin);
     }
     if (candidates.size() > 1)
     {
@@ -279,25 +303,57 @@ Polygon MovingContacts<2>::outlineOf(const Outlines& outlines, int block) const
 
 bool MovingContacts<2>::mayOverlook() const
 {
-    return lastMargin > leastDeepest;
+    return lastMargin > leastDeepest || !leftAlone.empty();
+}
+
+double MovingContacts<2>::depthGained(const Outlines& there, int block, int neighbour) const
+{
+    if (!meet(there.box[block], there.box[neighbour]))
+    {
+        return 0;
+    }
+    const double depth = overlapDepth(outlineOf(there, block), outlineOf(there, neighbour));
+    const bool isGained =
+        depth > 0 && depth > overlapDepth(outlineOf(placedNow, block), outlineOf(placedNow, neighbour));
+    return isGained ? depth : 0;
+}
+
+double MovingContacts<2>::depthAtCorners(const std::vector<Placement<2>>& placements) const
+{
+    double deepestOfAll = 0;
+    if (leftAlone.empty())
+    {
+        return deepestOfAll;
+    }
+    Outlines there = placedNow;
+    for (const auto& [block, neighbour] : leftAlone)
+    {
+        placeBlock(there, block, placements[static_cast<std::size_t>(block)]);
+        placeBlock(there, neighbour, placements[static_cast<std::size_t>(neighbour)]);
+        deepestOfAll = std::max(deepestOfAll, depthGained(there, block, neighbour));
+    }
+    return deepestOfAll > pointTolerance ? deepestOfAll : 0;
+}
+
+bool MovingContacts<2>::findsMoreTowards(const std::vector<Placement<2>>& placements) const
+{
+    return depthAtCorners(placements) > 0;
 }
 
 double MovingContacts<2>::overlookedDepth(const std::vector<Placement<2>>& placements) const
 {
+    double deepestOfAll = depthAtCorners(placements);
+    if (!(lastMargin > leastDeepest))
+    {
+        return deepestOfAll;
+    }
     Outlines there = placedNow;
     place(there, placements);
-    double deepestOfAll = 0;
     for (const auto& [block, neighbour] : neighbours)
     {
-        if (lastMargin > std::min(deepest[block], deepest[neighbour]) && isLookedAt(block, neighbour)
-            && meet(there.box[block], there.box[neighbour]))
+        if (lastMargin > std::min(deepest[block], deepest[neighbour]) && isLookedAt(block, neighbour))
         {
-            const double depth = overlapDepth(outlineOf(there, block), outlineOf(there, neighbour));
-            if (depth > deepestOfAll
-                && depth > overlapDepth(outlineOf(placedNow, block), outlineOf(placedNow, neighbour)))
-            {
-                deepestOfAll = depth;
-            }
+            deepestOfAll = std::max(deepestOfAll, depthGained(there, block, neighbour));
         }
     }
     return deepestOfAll;

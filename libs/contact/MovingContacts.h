@@ -98,6 +98,13 @@ public:
     const std::vector<ContactPoint<2>>& update(const std::vector<Placement<2>>& now,
                                                const std::vector<Placement<2>>& ahead, double margin);
 
+    /// The same, with where steps have led that overlooked contacts (see findsMoreTowards): corners at one
+    /// place that are left alone on the first way are guarded where another one takes them into each other.
+    /// \param headings one or more: where the blocks are heading by their velocities, and these
+    const std::vector<ContactPoint<2>>& update(const std::vector<Placement<2>>& now,
+                                               const std::vector<std::vector<Placement<2>>>& headings,
+                                               double margin);
+
     /// The points of the last update, in their order, were the blocks placed so: the same corners and edges,
     /// with position, normal and gap measured exactly. The difference of the gaps from the linear prediction
     /// g0 - A0' dx is of second order (rotation times sliding); added to the gaps of the step program and
@@ -108,14 +115,19 @@ public:
     /// One of them, by its index.
     ContactPoint<2> pointAt(const std::vector<Placement<2>>& placements, std::size_t index) const;
 
-    /// Whether the margin of the last update was so large that features may be chosen wrongly: never in steps
-    /// in which no point travels by an eighth of a thickness.
+    /// Whether the margin of the last update was so large that features may be chosen wrongly, which it is
+    /// not in steps in which no point travels by an eighth of a thickness, or corners at one place were left
+    /// alone.
     bool mayOverlook() const;
 
     /// By how much blocks are deepest in each other that the last update has looked at and whose features it
-    /// may have chosen wrongly, the margin being more than a quarter of the thinner block [m]. Only where
-    /// that is more than it was; 0 unless it mayOverlook.
+    /// may have chosen wrongly, the margin being more than a quarter of the thinner block, or whose corners
+    /// at one place it has left alone [m]. Only where that is more than it was; 0 unless it mayOverlook.
     double overlookedDepth(const std::vector<Placement<2>>& placements) const;
+
+    /// Whether blocks are in each other there whose corners at one place the last update has left alone: it
+    /// finds more if it is told that they head there.
+    bool findsMoreTowards(const std::vector<Placement<2>>& placements) const;
 
     /// Whether that is more than blocks may enter each other by.
     bool isTooDeep(double overlookedDepth) const { return overlookedDepth > mayEnter; }
@@ -185,6 +197,7 @@ private:
     void addBlock(const Block<2>& block);
     double thicknessOf(int block) const;
     void place(Outlines& outlines, const std::vector<Placement<2>>& placements) const;
+    void placeBlock(Outlines& outlines, int block, const Placement<2>& placement) const;
     /// \param turned, turnedEdge rotations of the blocks of its corner and of its edge \param point the one
     /// of that index, of which place, normal and gap are overwritten
     void measure(const std::vector<Placement<2>>& placements, const Rotation& turned,
@@ -192,6 +205,10 @@ private:
     void findNeighbours(double margin);
     bool isLookedAt(int block, int neighbour) const;
     Polygon outlineOf(const Outlines& outlines, int block) const;
+    /// By how much two blocks are in each other there, if that is more than they are now; else 0 [m].
+    double depthGained(const Outlines& there, int block, int neighbour) const;
+    /// Likewise the most of those whose corners were left alone, beyond what counts as touching.
+    double depthAtCorners(const std::vector<Placement<2>>& placements) const;
     void findPoints(int block, int neighbour, double margin);
 
     // The choice of features, of one pair of blocks after the other: gaps from `lowest` to `margin` count
@@ -203,8 +220,11 @@ private:
     void matchEdges(int blockEdge, int neighbourEdge, double lowest, double margin);
     /// Convex corners that are the foremost of their block towards an edge of the other.
     void standCorners(int owner, int cornerBlock, int edgeBlock, double lowest, double margin);
-    /// Two convex corners near each other, each beyond the other's edges: one line that parts them.
-    void guardCorners(double margin);
+    /// Two convex corners near each other, each beyond the other's edges: one line that parts them. \return
+    /// whether some at one place were left alone
+    bool guardCorners(double margin);
+    /// The same on each way that the blocks may head.
+    void guardOnEachWay(double margin);
     /// Lists a candidate, or where its corner is far behind the edge the line that parts the blocks there.
     void offer(const Candidate& candidate, double lowest, double margin);
     void list(const Candidate& candidate);
@@ -249,7 +269,10 @@ private:
     // Of the last update.
     Outlines placedNow, aheadStorage;
     const Outlines* placedAhead =
-        nullptr;                      ///< `placedNow` when nothing is said of where the blocks are heading
+        nullptr;                         ///< `placedNow` when nothing is said of where the blocks are heading
+    std::vector<Outlines> otherHeadings; ///< besides `aheadStorage`
+    /// Pairs without a point whose corners lie at one place.
+    std::vector<std::pair<int, int>> leftAlone;
     std::vector<BoundingBox> reaches; ///< of each block, now and ahead, with half the margin
     std::vector<BoundingBox> fat;     ///< reach at the last search, with half the skin
     std::vector<std::pair<int, int>> neighbours;

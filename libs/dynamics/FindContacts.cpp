@@ -22,19 +22,13 @@ void findContacts(Step<Dim>& step)
     const double start = motion.state.time;
     const auto velocities = velocitiesOfAllBlocks(scene, motion.state, start, start + step.scheme.timeStep);
     const double margin = motion.contacts->marginFor(velocities, step.scheme.timeStep, step.acceleration);
-    if constexpr (Dim == 3)
+    std::vector<std::vector<Placement<Dim>>> headings;
+    headings.push_back(placementsAfter(step, expected));
+    for (const Eigen::VectorXd& displacement : step.overlooking)
     {
-        std::vector<std::vector<Placement<3>>> expectedPlaces{placementsAfter(step, expected)};
-        for (const Eigen::VectorXd& displacement : step.overlooking)
-        {
-            expectedPlaces.push_back(placementsAfter(step, displacement));
-        }
-        step.points = motion.contacts->update(placements, expectedPlaces, margin);
+        headings.push_back(placementsAfter(step, displacement));
     }
-    else
-    {
-        step.points = motion.contacts->update(placements, placementsAfter(step, expected), margin);
-    }
+    step.points = motion.contacts->update(placements, headings, margin);
     forgetRounding(scene, step.points);
     if (step.scheme.theta == 1)
     {

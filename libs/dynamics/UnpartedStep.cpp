@@ -4,6 +4,7 @@
 
 #include "dynamics/CarriedMotion.h"
 #include "dynamics/HeldBlocks.h"
+#include "dynamics/MovingGeometry.h"
 #include "dynamics/ProvedRest.h"
 #include "dynamics/StartCheck.h"
 
@@ -79,7 +80,8 @@ bool mayLookAgain(const Step<Dim>& step)
     constexpr std::size_t mostLooks = 8;
     constexpr double mostWork = 0.3; // of what the step may take
     const StepWork& work = step.motion.work;
-    return Dim == 3 && step.overlooking.size() < mostLooks && work.done <= mostWork * work.most;
+    return step.overlooking.size() < mostLooks && work.done <= mostWork * work.most
+           && step.motion.contacts->findsMoreTowards(placementsAfter(step, step.solved.result.displacement));
 }
 
 /// Expects the blocks to move with the supports. Walls of a support that turns come nearer to each other by

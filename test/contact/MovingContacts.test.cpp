@@ -612,6 +612,35 @@ TEST(MovingContacts, CornersAtOnePlaceTouchWhenTheBlocksCloseAndNotAtRestOrWhere
     EXPECT_TRUE(pointsToward(-1e-6, -1e-6).empty());
 }
 
+TEST(MovingContacts, CornersAtOnePlaceThatWereLeftAloneAreGuardedWhereAnotherHeadingTakesThemIntoEachOther)
+{
+    const double half = std::sqrt(0.5);
+    const Polygon diamond{{0, -half}, {half, 0}, {0, half}, {-half, 0}};
+    const Assembly<2> assembly = assemblyOf({diamond, diamond});
+    MovingContacts<2> contacts(assembly);
+    Placements rest = atRest(assembly);
+    rest[0].translation = {0, 2 * half};
+    const auto towards = [&rest](double x, double y)
+    {
+        Placements there = rest;
+        there[0].translation += Vector<2>(x, y);
+        return there;
+    };
+    const Placements down = towards(0, -1e-3);
+    const Placements beside = towards(1e-3, -1e-3); // along an edge of the other one
+    ASSERT_TRUE(contacts.update(rest, {rest}, 0.03).empty());
+    EXPECT_TRUE(contacts.mayOverlook());
+    EXPECT_TRUE(contacts.findsMoreTowards(down));
+    EXPECT_NEAR(contacts.overlookedDepth(down), 1e-3 * half, 1e-12);
+    EXPECT_FALSE(contacts.findsMoreTowards(rest));
+    EXPECT_FALSE(contacts.findsMoreTowards(beside));
+    EXPECT_EQ(contacts.overlookedDepth(beside), 0);
+    EXPECT_TRUE(contacts.update(rest, {rest, beside}, 0.03).empty());
+    EXPECT_EQ(contacts.update(rest, {rest, beside, down}, 0.03).size(), 1U);
+    EXPECT_FALSE(contacts.mayOverlook());
+    EXPECT_TRUE(contacts.update(rest, {rest}, 0.03).empty()); // headings are forgotten
+}
+
 TEST(MovingContacts, AHalfOpenedFaceThatIsCarriedBesideAnotherDoesNotTouchIt)
 {
     // Falls past a wall with a clearance below the margin: the only contacts are those with the wall, none is

@@ -2,6 +2,7 @@
 /// A rocking block against Housner's equation: impact, period, order of convergence, overturning.
 #include "Scenes.h"
 
+#include "contact/Penetration.h"
 #include "ensembles/References.h"
 
 #include <gtest/gtest.h>
@@ -263,6 +264,44 @@ TEST(Rocking, AHalfSinePulseOverturnsAtItsThreshold)
 {
     expectOverturningAt(0.493767,
                         [](const PulseShape& shape) { return std::make_shared<SinePulse>(shape, 1.0); });
+}
+
+/// A block that leans on its lower corner, at one place with the upper corner of a fixed one. Its faces rise
+/// by atan(0.27) to both sides and those below fall by atan(0.2), 26 degrees together: beyond what makes
+/// faces a joint.
+Assembly<2> cornerOnCorner()
+{
+    Assembly<2> assembly;
+    assembly.supports.push_back({"ground", "ground"});
+    assembly.blocks.push_back({{{-1, -0.2}, {-1, -1}, {1, -1}, {1, -0.2}, {0, 0}}, 1, 0});
+    assembly.blocks.push_back({{{0, 0}, {1, 0.27}, {1, 1}, {-1, 1}, {-1, 0.27}}, 1, -1});
+    return assembly;
+}
+
+TEST(Rocking, ABlockTurnsOnACornerThatStandsOnACornerFromRestWithoutSinkingIn)
+{
+    for (const double theta : {1.0, 0.5})
+    {
+        for (const double rotation : {0.0, 0.02, -0.02})
+        {
+            const DynamicCase<2> scene = scenes::sceneOf(cornerOnCorner(), {.theta = theta});
+            DynamicState<2> state = stateAtRest(scene.assembly);
+            const Vector<2> arm = areaProperties(scene.assembly.blocks[1].outline).centroid;
+            state.placements[1] = {Eigen::Rotation2Dd(rotation) * arm - arm, rotation};
+            Motion<2> motion = startMotion(scene, state);
+            const double energyAtStart = motion.energy.kinetic + motion.energy.potential;
+            for (int step = 0; step < 60; ++step)
+            {
+                ASSERT_TRUE(advance(scene, motion, 0.005));
+                const Placement<2>& block = motion.state.placements[1];
+                const Vector<2> corner = block.translation + arm - Eigen::Rotation2Dd(block.rotation) * arm;
+                EXPECT_LT(penetration(scene.assembly, motion.state.placements).depth, 1e-6) << step;
+                EXPECT_LT(corner.norm(), 1e-5) << step << " with theta " << theta;
+                EXPECT_LT(motion.energy.kinetic + motion.energy.potential, energyAtStart + 1e-3);
+            }
+            EXPECT_GE(motion.state.placements[1].rotation * rotation, rotation * rotation);
+        }
+    }
 }
 
 } // namespace

@@ -62,6 +62,9 @@ public:
     /// step to there has overlooked contacts, since which corners and edges meet was foreseen otherwise.
     double overlookedDepth(const std::vector<Placement<3>>& placements) const;
 
+    /// Whether an update finds more if it is told that blocks head there where contacts are overlooked.
+    bool findsMoreTowards(const std::vector<Placement<3>>&) const { return true; }
+
     /// Whether that is more than blocks may enter each other by, so that no update could follow.
     bool isTooDeep(double overlookedDepth) const { return overlookedDepth > mayEnterFound; }
 
