@@ -302,9 +302,10 @@ bool MovingContacts<2>::guardCorners(double margin)
     // which they are level comes first: along it they slide, or have just lost contact, and any other one
     // would be a wall across the way of a block that slides over flush blocks. Else it is the line that the
     // motion ahead leaves the most room: it binds only if the step turns out otherwise than foreseen, and
-    // then by no more than that change. At corners at one place every line is level: they are left alone, as
-    // where four blocks meet, but where the motion ahead crosses all the lines; then they get the one that it
-    // crosses last.
+    // then by no more than that change. Where the motion ahead goes far through all of them it is one of them
+    // that has to stop it. At corners at one place every line is level: they are left alone, as where four
+    // blocks meet, but where the motion ahead crosses all the lines; then they get the one that it crosses
+    // last.
     const double level = 10 * pointTolerance;
     const auto isBetter = [level](const Candidate& line, const Candidate& best)
     {
@@ -342,7 +343,8 @@ bool MovingContacts<2>::guardCorners(double margin)
             const bool areAtOnePlace = apart < level * level;
             const Candidate best = bestLine(blockCorner, neighbourCorner);
             const bool closes = best.gap - best.gapAhead > sameCorner * pointTolerance;
-            if (best.edge >= 0 && (areAtOnePlace ? closes : best.gapAhead > pointTolerance))
+            const bool passesAll = best.gap > level && best.gapAhead < -level;
+            if (best.edge >= 0 && (areAtOnePlace ? closes : passesAll || best.gapAhead > pointTolerance))
             {
                 offer(best, -pointTolerance, margin);
             }

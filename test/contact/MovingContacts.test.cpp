@@ -473,6 +473,51 @@ TEST(MovingContacts, AgreeWithSeparatingAxesOnRandomPairs)
     EXPECT_GT(apart, 5000);
 }
 
+TEST(MovingContacts, RandomPairsThatHeadIntoEachOtherHaveAPointThatClosesBeyondItsGap)
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> unit(0, 1);
+    const double way = 0.01;
+    const double turn = 0.02;
+    int entering = 0;
+    int missed = 0;
+    for (int round = 0; round < 30000; ++round)
+    {
+        const Assembly<2> assembly = assemblyOf({randomBlock(random), randomBlock(random)});
+        Placements placements = atRest(assembly);
+        placements[0] = {{2 * unit(random) - 1, 2 * unit(random) - 1}, 6.3 * unit(random)};
+        placements[1].rotation = 6.3 * unit(random);
+        const auto outline = [&](const Placements& at, int b)
+        {
+            const Polygon& built = assembly.blocks[b].outline;
+            return placed(built, areaProperties(built).centroid, at[b]);
+        };
+        const auto distanceAt = [&](const Placements& at)
+        { return separation(outline(at, 0), outline(at, 1)).distance; };
+        const double wanted = way * unit(random);
+        for (int repeat = 0; repeat < 3; ++repeat)
+        {
+            const Separation found = separation(outline(placements, 0), outline(placements, 1));
+            placements[0].translation += (wanted - found.distance) * found.normal;
+        }
+        Placements ahead = placements;
+        ahead[0].translation += way * Vector<2>(2 * unit(random) - 1, 2 * unit(random) - 1);
+        ahead[0].rotation += turn * (2 * unit(random) - 1);
+        if (distanceAt(placements) < 1e-4 || distanceAt(ahead) > -1e-4)
+        {
+            continue;
+        }
+        ++entering;
+        MovingContacts<2> contacts(assembly);
+        contacts.update(placements, ahead, 4 * (way + turn));
+        std::vector<ContactPoint<2>> measured;
+        contacts.measure(ahead, measured);
+        missed += measured.empty() || leastGap(measured) >= 0 ? 1 : 0;
+    }
+    EXPECT_GT(entering, 1000);
+    EXPECT_EQ(missed, 0) << "of " << entering;
+}
+
 TEST(MovingContacts, ABlockThatSlidesOverFlushBlocksDoesNotCatchOnTheirJoints)
 {
     // A course of 10 blocks with flush tops on the ground, and a slider that goes from one end to the other.
