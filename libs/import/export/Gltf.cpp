@@ -2,7 +2,8 @@
 /// glTF 2.0 with its buffer within: corners of each triangle with the normal of their face, about the centre
 /// of the block, which the node places and an animation moves.
 #include "core/Base64.h"
-#include "geometry/Box.h"
+#include "core/Json.h"
+#include "geometry/BroadPhase.h"
 #include "geometry/space/Polyhedron.h"
 #include "import/export/Number.h"
 #include "import/export/Writers.h"
@@ -115,26 +116,10 @@ Vector<3> originOf(const std::vector<ExportedSolid>& solids)
     Box<3> box;
     for (const ExportedSolid& solid : solids)
     {
-        for (const Vector<3>& vertex : solid.shape.vertices)
-        {
-            extend(box, vertex);
-        }
+        extend<3>(box, boundingBox(solid.shape));
     }
-    constexpr double far = 100; // sizes of the structure: a hundred thousandth of it is left
-    const Vector<3> centre = (box.lower + box.upper) / 2;
-    const bool isFar = centre.lpNorm<Eigen::Infinity>() > far * (box.upper - box.lower).maxCoeff();
-    return isFar ? Vector<3>(centre.array().round()) : Vector<3>::Zero();
-}
-
-/// A name as JSON has it between quotes; those of dictionaries have no control characters.
-std::string escaped(const std::string& name)
-{
-    std::string text;
-    for (const char c : name)
-    {
-        text += c == '\\' || c == '"' ? std::string{'\\', c} : std::string{c};
-    }
-    return text;
+    return isFarFromOrigin(box) ? Vector<3>(((box.lower + box.upper) / 2).array().round())
+                                : Vector<3>(Vector<3>::Zero());
 }
 
 std::string translationOf(const Vector<3>& place)
@@ -247,9 +232,9 @@ std::string gltfText(const std::vector<ExportedSolid>& solids, const std::vector
                        R"({}{{"primitives":[{{"attributes":{{"POSITION":{},"NORMAL":{}}},"material":{}}}]}})",
                        separator, positions, normals, solids[i].isFixed ? 1 : 0);
         fmt::format_to(std::back_inserter(nodes),
-                       R"({}{{"name":"block_{}","mesh":{}{},"extras":{{"layer":"{}"}}}})", separator, i, i,
+                       R"({}{{"name":"block_{}","mesh":{}{},"extras":{{"layer":{}}}}})", separator, i, i,
                        frames.empty() ? "" : translationOf(upright(centres[i] - origin)),
-                       escaped(solids[i].layer));
+                       jsonText(solids[i].layer));
         fmt::format_to(std::back_inserter(children), "{}{}", i > 0 ? "," : "", i);
     }
     if (!origin.isZero()) // one more node moves them all to where they are
