@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// CVXOPT, run in Python on program files, all in one process: to start one takes longer than most programs.
+/// CVXOPT, run in Python on program files, one process for all of them.
 #include "Peers.h"
 #include "Subprocess.h"
 
