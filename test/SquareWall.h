@@ -2,7 +2,7 @@
 /// The square wall that tests and benchmarks share. Header only: targets that include it link texture.
 #pragma once
 
-#include "texture/Texture.h"
+#include "MadeStructure.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@ namespace drystone
 /// Blocks of a square running-bond wall: as many courses as it is units long.
 inline Assembly<2> squareWall(int size)
 {
-    return makeStructure(Dictionary::readString(fmt::format(
+    return madeStructure(Dictionary::readString(fmt::format(
         "texture {{ type runningBond; unit (0.4 0.175); length {0}; courses {0}; firstCourse full; }}\n"
         "supports {{ ground {{ type ground; segment 0.5; }} }}\n",
         size)));

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Reading of a case's files.
+/// A file that the case must have, with an example of it where it is missing.
 #include "assembly/CaseFile.h"
 
 #include "runControl/Case.h"

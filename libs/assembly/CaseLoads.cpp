@@ -128,6 +128,37 @@ LoadContext<Dim> withCases(const LoadContext<Dim>& context, const LoadCases<Dim>
     return with;
 }
 
+/// Refuses combinations, and cases that lack a live load where one is required.
+template<int Dim>
+void requireOneLive(const LoadCases<Dim>& cases, const Dictionary& dictionary, LiveLoad liveLoad)
+{
+    if (!cases.combinations.empty())
+    {
+        throw FatalIOError("combinations are for limitAnalysis. Write for instance `dead { type gravity; }` "
+                           "instead.",
+                           dictionary.locationOf("combinations"));
+    }
+    if (!cases.live && liveLoad == LiveLoad::required)
+    {
+        throw FatalIOError(
+            "There is no live load to find the multiplier of. Add, for instance, \n\n    live { type "
+            "inertial; direction (1 0 0); }",
+            dictionary.location());
+    }
+}
+
+/// Refuses a live load that acts on no block. \param example of a reason, for the message
+void requireNonZero(const Eigen::VectorXd& live, std::string_view example, const SourceLocation& place)
+{
+    if (live.isZero(0))
+    {
+        throw FatalIOError(fmt::format("The live load is zero on every block{}: there is nothing to find the "
+                                       "multiplier of. Give gravity, or a live load of type force.",
+                                       example),
+                           place);
+    }
+}
+
 } // namespace
 
 template<int Dim>
@@ -144,19 +175,7 @@ CaseLoads<Dim> readLoads(const std::filesystem::path& caseDirectory, const LoadC
     const Dictionary dictionary = readCaseFile(
         caseDirectory, file, "dead { type gravity; } live { type inertial; direction (1 0 0); }");
     const auto cases = readCases<Dim>(dictionary);
-    if (!cases.combinations.empty())
-    {
-        throw FatalIOError("combinations are for limitAnalysis. Write for instance `dead { type gravity; }` "
-                           "instead.",
-                           dictionary.locationOf("combinations"));
-    }
-    if (!cases.live && liveLoad == LiveLoad::required)
-    {
-        throw FatalIOError(
-            "There is no live load to find the multiplier of. Add, for instance, \n\n    live { type "
-            "inertial; direction (1 0 0); }",
-            dictionary.location());
-    }
+    requireOneLive(cases, dictionary, liveLoad);
     CaseLoads<Dim> loads;
     loads.locations = EntryLocations(dictionary);
     loads.multiplier = cases.multiplier;
@@ -177,12 +196,10 @@ CaseLoads<Dim> readLoads(const std::filesystem::path& caseDirectory, const LoadC
     {
         setLive(loads, (*cases.live)(with));
     }
-    if (liveLoad == LiveLoad::required && !loads.movement && loads.live.isZero(0))
+    if (liveLoad == LiveLoad::required && !loads.movement)
     {
-        throw FatalIOError(
-            "The live load is zero on every block, as where gravity (constant/g) is zero or pressures "
-            "cancel: there is nothing to find the multiplier of. Give gravity, or a live load of type force.",
-            dictionary.locationOf("live"));
+        requireNonZero(loads.live, ", as where gravity (constant/g) is zero or pressures cancel",
+                       dictionary.locationOf("live"));
     }
     return loads;
 }
@@ -212,13 +229,7 @@ readLoadCombinations(const std::filesystem::path& caseDirectory, const LoadConte
         setDead(loads, combination.dead(with));
         questionDeadLoad(loads.dead, dictionary.subDict("combinations").subDict(name).locationOf("dead"));
         setLive(loads, combination.live(with));
-        if (loads.live.isZero(0))
-        {
-            throw FatalIOError(
-                "The live load is zero on every block: there is nothing to find the multiplier "
-                "of. Give gravity, or a live load of type force.",
-                dictionary.subDict("combinations").subDict(name).locationOf("live"));
-        }
+        requireNonZero(loads.live, "", dictionary.subDict("combinations").subDict(name).locationOf("live"));
         result.emplace_back(name, std::move(loads));
     }
     return result;

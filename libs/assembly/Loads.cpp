@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Load vectors.
+/// Load vectors of gravity and inertia, of forces at points, and the blocks that a line of load meets.
 #include "assembly/Loads.h"
 
 #include "assembly/BlockShape.h"

@@ -261,6 +261,41 @@ CheckResult checkStatedJoints(const Assembly<3>& assembly)
     return result;
 }
 
+/// Reports where a corner, or in space an edge, of one of two blocks touches the other.
+template<int Dim>
+void addLoneTouches(CheckResult& result, const Assembly<Dim>& assembly, int first, int second,
+                    double tolerance)
+{
+    for (const auto& [one, other] : {std::pair(first, second), std::pair(second, first)})
+    {
+        const std::vector<Vector<Dim>> places =
+            loneTouches(assembly.blocks[one], assembly.blocks[other], tolerance);
+        for (const Vector<Dim>& place : places)
+        {
+            addFault(result, fmt::format("{}{} touches {} at {} without a joint",
+                                         Dim == 2 ? "a corner of " : "", blockName(assembly, one),
+                                         blockName(assembly, other), placeText<Dim>(place)));
+        }
+        if (Dim == 3 && !places.empty())
+        {
+            break; // once for a pair
+        }
+    }
+}
+
+/// Reports the corners that two blocks have in common.
+template<int Dim>
+void addCommonCorners(CheckResult& result, const Assembly<Dim>& assembly, int first, int second,
+                      double tolerance)
+{
+    for (const Vector<Dim>& place : commonCorners(assembly.blocks[first], assembly.blocks[second], tolerance))
+    {
+        addFault(result,
+                 fmt::format("{} and {} touch at {}, corner to corner, without a joint",
+                             blockName(assembly, first), blockName(assembly, second), placeText<Dim>(place)));
+    }
+}
+
 /// Blocks that touch without a face in common.
 template<int Dim>
 CheckResult checkTouches(const Assembly<Dim>& assembly, const Findings<Dim>& findings,
@@ -283,31 +318,10 @@ CheckResult checkTouches(const Assembly<Dim>& assembly, const Findings<Dim>& fin
             ++usual;
             continue;
         }
-        for (const auto& [one, other] : {std::pair(first, second), std::pair(second, first)})
+        addLoneTouches(result, assembly, first, second, tolerance);
+        if (isLoose[first] != isLoose[second]) // else they meet so across a crossing of joints
         {
-            const std::vector<Vector<Dim>> places =
-                loneTouches(assembly.blocks[one], assembly.blocks[other], tolerance);
-            for (const Vector<Dim>& place : places)
-            {
-                addFault(result, fmt::format("{}{} touches {} at {} without a joint",
-                                             Dim == 2 ? "a corner of " : "", blockName(assembly, one),
-                                             blockName(assembly, other), placeText<Dim>(place)));
-            }
-            if (Dim == 3 && !places.empty())
-            {
-                break; // once for a pair
-            }
-        }
-        // Else they meet so across a crossing of joints.
-        if (isLoose[first] != isLoose[second])
-        {
-            for (const Vector<Dim>& place :
-                 commonCorners(assembly.blocks[first], assembly.blocks[second], tolerance))
-            {
-                addFault(result, fmt::format("{} and {} touch at {}, corner to corner, without a joint",
-                                             blockName(assembly, first), blockName(assembly, second),
-                                             placeText<Dim>(place)));
-            }
+            addCommonCorners(result, assembly, first, second, tolerance);
         }
     }
     result.message = fmt::format("{} without a joint: {}",

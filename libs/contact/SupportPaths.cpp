@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Paths through joints.
+/// Blocks that no path through joints supports, and where they touch others without a joint.
 #include "contact/SupportPaths.h"
 
 #include "contact/AlmostJoints.h"

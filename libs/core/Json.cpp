@@ -167,4 +167,12 @@ JsonValue parseJson(std::string_view text)
     return std::move(builder.root);
 }
 
+std::string jsonText(std::string_view text)
+{
+    constexpr int oneLine = -1;
+    constexpr bool escapesBeyondAscii = false;
+    return nlohmann::json(text).dump(oneLine, ' ', escapesBeyondAscii,
+                                     nlohmann::json::error_handler_t::replace);
+}
+
 } // namespace drystone

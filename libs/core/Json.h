@@ -55,4 +55,7 @@ struct JsonFault : std::runtime_error
 /// a key twice in an object, of which readers take different ones
 JsonValue parseJson(std::string_view text);
 
+/// A text as JSON writes it, within quotes; what is not UTF-8 in it becomes U+FFFD.
+std::string jsonText(std::string_view text);
+
 } // namespace drystone

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Printing.
+/// Prints lines, and the clocks, cores and threads of the process that banners and logs name.
 #include "core/Log.h"
 
 #include <algorithm>

@@ -66,6 +66,48 @@ std::string contentOf(const std::filesystem::path& file, const SourceLocation& w
     return text;
 }
 
+/// The name of a file with the directory for which `<case>` and the like stand at its beginning.
+std::string withDirectories(const DictionaryReading& reading, std::string_view written)
+{
+    std::string name(written);
+    const auto replaceStart = [&name](std::string_view start, const std::filesystem::path& by)
+    {
+        if (name.starts_with(start))
+        {
+            name = (by / name.substr(std::min(name.size(), start.size()))).string();
+        }
+    };
+    replaceStart("<case>/", reading.caseDirectory);
+    replaceStart("<system>/", reading.caseDirectory / "system");
+    replaceStart("<constant>/", reading.caseDirectory / "constant");
+    replaceStart("<etc>/", etcDirectory());
+    return name;
+}
+
+/// Refuses a file that is being read already, and more open ones than there may be.
+void refuseLoop(const DictionaryReading& reading, const std::filesystem::path& path,
+                const SourceLocation& location)
+{
+    if (reading.openFiles.size() >= deepestInclude)
+    {
+        throw FatalIOError(fmt::format("Files include each other more than {} deep.", deepestInclude),
+                           location);
+    }
+    std::error_code error;
+    const std::filesystem::path real = std::filesystem::weakly_canonical(path, error);
+    for (const std::filesystem::path& open : reading.openFiles)
+    {
+        if (std::filesystem::weakly_canonical(open, error) == real)
+        {
+            throw FatalIOError(
+                fmt::format("The files include each other in a loop: {} is being read already. "
+                            "Remove one of the #include.",
+                            path.string()),
+                location);
+        }
+    }
+}
+
 } // namespace
 
 std::filesystem::path caseOf(const std::filesystem::path& file)
@@ -94,19 +136,7 @@ std::optional<std::filesystem::path> included(const DictionaryReading& reading, 
                                               const Token& argument)
 {
     const SourceLocation location = locationOf(reading, directive);
-    std::string name(argument.text);
-    const auto replaceStart = [&name](std::string_view start, const std::filesystem::path& by)
-    {
-        if (name.starts_with(start))
-        {
-            name = (by / name.substr(std::min(name.size(), start.size()))).string();
-        }
-    };
-    replaceStart("<case>/", reading.caseDirectory);
-    replaceStart("<system>/", reading.caseDirectory / "system");
-    replaceStart("<constant>/", reading.caseDirectory / "constant");
-    replaceStart("<etc>/", etcDirectory());
-    name = substituted(reading, name, location);
+    const std::string name = substituted(reading, withDirectories(reading, argument.text), location);
     if (name.empty())
     {
         failArgument(reading, directive, "the name of a file: #include \"name\"");
@@ -119,34 +149,18 @@ std::optional<std::filesystem::path> included(const DictionaryReading& reading, 
     }
     path = path.lexically_normal();
     std::error_code error;
-    if (!std::filesystem::exists(path, error))
+    if (std::filesystem::exists(path, error))
     {
-        if (directive.text == "#includeIfPresent" || directive.text.starts_with("#sinclude"))
-        {
-            return std::nullopt;
-        }
-        throw FatalIOError(fmt::format("The file {} that is to be included does not exist.{}", path.string(),
-                                       isEtc ? "" : " Its name counts from the file that includes it."),
-                           location);
+        refuseLoop(reading, path, location);
+        return path;
     }
-    if (reading.openFiles.size() >= deepestInclude)
+    if (directive.text == "#includeIfPresent" || directive.text.starts_with("#sinclude"))
     {
-        throw FatalIOError(fmt::format("Files include each other more than {} deep.", deepestInclude),
-                           location);
+        return std::nullopt;
     }
-    const std::filesystem::path real = std::filesystem::weakly_canonical(path, error);
-    for (const std::filesystem::path& open : reading.openFiles)
-    {
-        if (std::filesystem::weakly_canonical(open, error) == real)
-        {
-            throw FatalIOError(
-                fmt::format("The files include each other in a loop: {} is being read already. "
-                            "Remove one of the #include.",
-                            path.string()),
-                location);
-        }
-    }
-    return path;
+    throw FatalIOError(fmt::format("The file {} that is to be included does not exist.{}", path.string(),
+                                   isEtc ? "" : " Its name counts from the file that includes it."),
+                       location);
 }
 
 const SourceFile& load(DictionaryReading& reading, const std::filesystem::path& path,

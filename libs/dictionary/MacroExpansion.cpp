@@ -67,6 +67,35 @@ void appendText(DictionaryReading& reading, const std::string& text, const Token
     }
 }
 
+/// Past the name of the macro whose `$` is at a place; the place after that where no name follows.
+std::size_t endOfMacro(std::string_view text, std::size_t dollar, const SourceLocation& location)
+{
+    std::size_t end = dollar + 1;
+    if (end < text.size() && text[end] == '{')
+    {
+        int open = 0;
+        for (; end < text.size(); ++end)
+        {
+            if (text[end] == '{')
+            {
+                ++open;
+            }
+            else if (text[end] == '}' && --open == 0)
+            {
+                return end + 1;
+            }
+        }
+        throw FatalIOError("The `${` here is not closed: write `${name}`.", location);
+    }
+    while (end < text.size()
+           && (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '_'
+               || text[end] == '.' || text[end] == ':'))
+    {
+        ++end;
+    }
+    return end;
+}
+
 } // namespace
 
 std::string nameOf(const DictionaryReading& reading, std::string_view text, const SourceLocation& location,
@@ -95,36 +124,7 @@ std::string substituted(const DictionaryReading& reading, std::string_view text,
             result += text[i++];
             continue;
         }
-        std::size_t end = i + 1;
-        if (end < text.size() && text[end] == '{')
-        {
-            int open = 0;
-            for (; end < text.size(); ++end)
-            {
-                if (text[end] == '{')
-                {
-                    ++open;
-                }
-                else if (text[end] == '}' && --open == 0)
-                {
-                    ++end;
-                    break;
-                }
-            }
-            if (open != 0)
-            {
-                throw FatalIOError("The `${` here is not closed: write `${name}`.", location);
-            }
-        }
-        else
-        {
-            while (end < text.size()
-                   && (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '_'
-                       || text[end] == '.' || text[end] == ':'))
-            {
-                ++end;
-            }
-        }
+        const std::size_t end = endOfMacro(text, i, location);
         if (end == i + 1)
         {
             throw FatalIOError("A `$` is to be followed by the name of an entry: `$name` or `${name}`.",

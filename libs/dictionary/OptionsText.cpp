@@ -139,6 +139,40 @@ Lines bracketed(const OptionDescription& option, const OptionDescription::Altern
     return lines;
 }
 
+/// The alternatives of an option: those that have not been shown above with what they have inside, the others
+/// by name.
+void appendAlternatives(Lines& lines, const OptionDescription& option, const std::string& before,
+                        std::set<std::string>& shown)
+{
+    // Those that are listed here are so for what they have inside, too.
+    std::vector<const OptionDescription::Alternative*> listed;
+    std::vector<std::string> asAbove;
+    for (const OptionDescription::Alternative& alternative : option.alternatives)
+    {
+        if (shown.insert(option.type + "/" + alternative.name).second || listed.empty())
+        {
+            listed.push_back(&alternative);
+        }
+        else
+        {
+            asAbove.push_back(alternative.name);
+        }
+    }
+    for (const OptionDescription::Alternative* alternative : listed)
+    {
+        const bool isFirst = alternative == listed.front();
+        if (!isFirst)
+        {
+            lines.emplace_back("// or");
+        }
+        append(lines, bracketed(option, alternative, shown), isFirst ? before : "// ");
+    }
+    if (!asAbove.empty())
+    {
+        lines.push_back(fmt::format("// or with type {}, as above", fmt::join(asAbove, " ")));
+    }
+}
+
 Lines membersText(const std::vector<OptionDescription>& options, std::set<std::string>& shown)
 {
     Lines lines;
@@ -167,33 +201,7 @@ Lines membersText(const std::vector<OptionDescription>& options, std::set<std::s
             append(lines, bracketed(option, nullptr, shown), before);
             continue;
         }
-        // Those that are listed here are so for what they have inside, too.
-        std::vector<const OptionDescription::Alternative*> listed;
-        std::vector<std::string> asAbove;
-        for (const OptionDescription::Alternative& alternative : option.alternatives)
-        {
-            if (shown.insert(option.type + "/" + alternative.name).second || listed.empty())
-            {
-                listed.push_back(&alternative);
-            }
-            else
-            {
-                asAbove.push_back(alternative.name);
-            }
-        }
-        for (const OptionDescription::Alternative* alternative : listed)
-        {
-            const bool isFirst = alternative == listed.front();
-            if (!isFirst)
-            {
-                lines.emplace_back("// or");
-            }
-            append(lines, bracketed(option, alternative, shown), isFirst ? before : "// ");
-        }
-        if (!asAbove.empty())
-        {
-            lines.push_back(fmt::format("// or with type {}, as above", fmt::join(asAbove, " ")));
-        }
+        appendAlternatives(lines, option, before, shown);
     }
     return lines;
 }

@@ -9,6 +9,7 @@
 #include "dynamics/Step.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace drystone
 {
@@ -60,29 +61,63 @@ double rubbedIn(const Impact& impact, const StepProgram<Dim>& arrival, const Eig
     return loss;
 }
 
+/// Where blocks are when they meet, and how fast supports close their points then.
+template<int Dim>
+struct Arrival
+{
+    StepProgram<Dim> program;
+    Eigen::VectorXd bySupports; ///< [m/s]
+};
+
+/// Momentum changes at an instant: about the mass centres where they are, not where a step takes them.
+template<int Dim>
+Arrival<Dim> arrivalOf(const Step<Dim>& step)
+{
+    StepProgram<Dim> program = step.program;
+    if (!step.arrivals.empty())
+    {
+        setColumns(program, step.arrivals);
+    }
+    return {
+        std::move(program),
+        closingAtTheStart(step.points, step.arrivals.empty() ? step.columns : step.arrivals, step.supports)};
+}
+
+/// What a solved impact leaves to the account of the step.
+template<int Dim>
+void accountImpact(StepSolution& solved, const Impact& impact, const std::vector<std::size_t>& meeting,
+                   int points)
+{
+    ++solved.impacts;
+    solved.lostInImpacts += impact.energyLoss;
+    solved.workOfSupports += impact.workOfSupports;
+    solved.restitutionShare = std::min(solved.restitutionShare, impact.restitutionShare);
+    if (solved.impulse.size() == 0)
+    {
+        solved.impulse = Eigen::VectorXd::Zero(Dim * points);
+    }
+    for (std::size_t i = 0; i < meeting.size(); ++i)
+    {
+        solved.impulse.segment<Dim>(Dim * static_cast<Eigen::Index>(meeting[i])) +=
+            impact.impulse.segment<Dim>(Dim * static_cast<Eigen::Index>(i));
+    }
+}
+
 /// Gives the blocks the velocities that they have after an impact. \return whether it was solved and has
 /// changed them
 template<int Dim>
 bool takeImpact(Step<Dim>& step, std::vector<std::size_t> meeting)
 {
-    const DynamicCase<Dim>& scene = step.scene;
     const double timeStep = step.scheme.timeStep;
     StepSolution& solved = step.solved;
-    // Momentum changes at an instant: about the mass centres where they are, not where a step takes them.
-    StepProgram<Dim> arrival = step.program;
-    if (!step.arrivals.empty())
-    {
-        setColumns(arrival, step.arrivals);
-    }
-    const Eigen::VectorXd bySupports =
-        closingAtTheStart(step.points, step.arrivals.empty() ? step.columns : step.arrivals, step.supports);
-    addBonded(arrival, meeting);
+    const Arrival<Dim> arrival = arrivalOf(step);
+    addBonded(arrival.program, meeting);
     Impact impact = impactOf<Dim>({.mass = step.mass,
                                    .velocity = solved.velocity,
-                                   .program = arrival,
+                                   .program = arrival.program,
                                    .meeting = meeting,
-                                   .closingBySupports = bySupports,
-                                   .restitution = scene.restitution(),
+                                   .closingBySupports = arrival.bySupports,
+                                   .restitution = step.scene.restitution(),
                                    .slowestRebound = slowestRebound(step),
                                    .timeStep = timeStep,
                                    .timeOfBonds = std::max(timeStep, step.impacts.wholeStep),
@@ -90,29 +125,13 @@ bool takeImpact(Step<Dim>& step, std::vector<std::size_t> meeting)
                                   step.settings);
     countWork(step, impact.iterations, impact.factorisations, impact.programs);
     solved.isSolved = impact.isSolved;
-    if (!solved.isSolved)
+    if (!solved.isSolved || impact.impulse.isZero(0)) // without impulses it would be the same again
     {
         return false;
     }
-    if (impact.impulse.isZero(0))
-    {
-        return false; // again it would be the same
-    }
-    ++solved.impacts;
-    solved.lostInImpacts += impact.energyLoss;
-    solved.rubbedInImpacts += rubbedIn<Dim>(impact, arrival, bySupports, meeting, step);
-    solved.workOfSupports += impact.workOfSupports;
-    solved.restitutionShare = std::min(solved.restitutionShare, impact.restitutionShare);
+    solved.rubbedInImpacts += rubbedIn<Dim>(impact, arrival.program, arrival.bySupports, meeting, step);
+    accountImpact<Dim>(solved, impact, meeting, step.program.points());
     solved.velocity = std::move(impact.velocity);
-    if (solved.impulse.size() == 0)
-    {
-        solved.impulse = Eigen::VectorXd::Zero(Dim * step.program.points());
-    }
-    for (std::size_t i = 0; i < meeting.size(); ++i)
-    {
-        solved.impulse.segment<Dim>(Dim * static_cast<Eigen::Index>(meeting[i])) +=
-            impact.impulse.segment<Dim>(Dim * static_cast<Eigen::Index>(i));
-    }
     step.program.load = step.load + times(step.mass, solved.velocity) / (step.scheme.theta * timeStep);
     step.guess.displacement = timeStep * solved.velocity;
     solved.collided = std::move(meeting);

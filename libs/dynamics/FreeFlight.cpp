@@ -43,24 +43,17 @@ std::optional<Vector<3>> turnByTheMean(const Eigen::Matrix3d& tensor, const Vect
     return change <= found ? std::optional(turn) : std::nullopt;
 }
 
-} // namespace
-
+/// Which bodies no contact carries. \param free points that carry none, whatever their forces
 template<int Dim>
-Eigen::VectorXd flightOf(const Step<Dim>& step, const ThetaStep& result, const Eigen::VectorXd& velocity,
-                         const std::vector<std::size_t>& free)
+std::vector<char> bodiesInFlight(const Step<Dim>& step, const Eigen::VectorXd& contactForce,
+                                 const std::vector<std::size_t>& free)
 {
-    const DynamicCase<Dim>& scene = step.scene;
     const StepProgram<Dim>& program = step.program;
-    const double theta = step.scheme.theta;
-    if (scene.restitution() == 0 || theta == 0.5 || traitsOf(scene.effects).actsOnBlocks)
-    {
-        return {};
-    }
     std::vector<char> flies(static_cast<std::size_t>(program.bodies), true);
     for (std::size_t point = 0; point < program.contacts.size(); ++point)
     {
         const double force = std::find(free.begin(), free.end(), point) == free.end()
-                                 ? result.contactForce.segment<Dim>(Dim * static_cast<Eigen::Index>(point))
+                                 ? contactForce.segment<Dim>(Dim * static_cast<Eigen::Index>(point))
                                        .template lpNorm<Eigen::Infinity>()
                                  : 0;
         for (const int body : {program.contacts[point].first, program.contacts[point].second})
@@ -74,36 +67,67 @@ Eigen::VectorXd flightOf(const Step<Dim>& step, const ThetaStep& result, const E
             }
         }
     }
+    return flies;
+}
+
+/// Turns of bodies of space are not the mean of theirs: to those that fly gives the turns by theta 1/2. One
+/// that turns too far for that moves as the step has it.
+void turnByTheMean(const Step<3>& step, const ThetaStep& result, const Eigen::VectorXd& velocity,
+                   const std::vector<char>& flies, Eigen::VectorXd& flight)
+{
+    constexpr int rows = freedomCount<3>;
+    const Eigen::VectorXd byContacts = applyEquilibrium(step.program, result.contactForce);
+    for (std::size_t body = 0; body < flies.size(); ++body)
+    {
+        if (!flies[body])
+        {
+            continue;
+        }
+        const Eigen::Index row = rows * static_cast<Eigen::Index>(body) + 3;
+        const Vector<3> moment = step.load.segment<3>(row) - byContacts.segment<3>(row);
+        const std::optional<Vector<3>> turn =
+            turnByTheMean(step.mass.tensors[body], velocity.segment<3>(row), moment, step.scheme.timeStep);
+        if (turn)
+        {
+            flight.segment<3>(row) = *turn - result.displacement.segment<3>(row);
+        }
+        else
+        {
+            flight.segment<rows>(rows * static_cast<Eigen::Index>(body)).setZero();
+        }
+    }
+}
+
+} // namespace
+
+template<int Dim>
+Eigen::VectorXd flightOf(const Step<Dim>& step, const ThetaStep& result, const Eigen::VectorXd& velocity,
+                         const std::vector<std::size_t>& free)
+{
+    const double theta = step.scheme.theta;
+    if (step.scene.restitution() == 0 || theta == 0.5 || traitsOf(step.scene.effects).actsOnBlocks)
+    {
+        return {};
+    }
+    const std::vector<char> flies = bodiesInFlight(step, result.contactForce, free);
+    if (std::count(flies.begin(), flies.end(), true) == 0)
+    {
+        return {};
+    }
     // y = dt (theta v1 + (1 - theta) v0), and dt (v0 + v1)/2 is to be.
     Eigen::VectorXd flight = (0.5 - theta) / theta * (result.displacement - step.scheme.timeStep * velocity);
-    const Eigen::VectorXd byContacts =
-        Dim == 3 ? applyEquilibrium(program, result.contactForce) : Eigen::VectorXd();
-    bool isAny = false;
-    for (int body = 0; body < program.bodies; ++body)
+    for (int body = 0; body < step.program.bodies; ++body)
     {
         if (!flies[static_cast<std::size_t>(body)])
         {
             flight.segment<freedomCount<Dim>>(freedomCount<Dim> * body).setZero();
         }
-        else if constexpr (Dim == 3)
-        {
-            const Eigen::Index row = freedomCount<Dim> * body + Dim;
-            const Vector<3> moment = step.load.template segment<3>(row) - byContacts.template segment<3>(row);
-            const std::optional<Vector<3>> turn =
-                turnByTheMean(step.mass.tensors[static_cast<std::size_t>(body)], velocity.segment<3>(row),
-                              moment, step.scheme.timeStep);
-            if (turn)
-            {
-                flight.segment<3>(row) = *turn - result.displacement.segment<3>(row);
-            }
-            else // as the step has it
-            {
-                flight.segment<freedomCount<Dim>>(freedomCount<Dim> * body).setZero();
-            }
-        }
-        isAny = isAny || flies[static_cast<std::size_t>(body)];
     }
-    return isAny ? flight : Eigen::VectorXd();
+    if constexpr (Dim == 3)
+    {
+        turnByTheMean(step, result, velocity, flies, flight);
+    }
+    return flight;
 }
 
 template<int Dim>

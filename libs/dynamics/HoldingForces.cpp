@@ -97,6 +97,40 @@ StepProgram<Dim> withGroundInBodies(const BlockGroups<Dim>& groups, StepProgram<
     return program;
 }
 
+/// The program from which forces are found, made once it is needed.
+template<int Dim>
+class GroundedBalance
+{
+public:
+    GroundedBalance(const BlockGroups<Dim>& ofBodies, const StepProgram<Dim>& ofBlocks)
+        : groups(ofBodies), inner(ofBlocks)
+    {
+    }
+
+    const StepProgram<Dim>& operator()()
+    {
+        return balance ? *balance : balance.emplace(withGroundInBodies(groups, inner));
+    }
+
+private:
+    const BlockGroups<Dim>& groups;
+    const StepProgram<Dim>& inner;
+    std::optional<StepProgram<Dim>> balance;
+};
+
+/// Forces in balance that are the nearest to those near them; of another size where there are none.
+template<int Dim>
+Eigen::VectorXd forcesInBalance(Step<Dim>& step, const StepProgram<Dim>& inner,
+                                GroundedBalance<Dim>& grounded, const Eigen::VectorXd& near, double tolerance)
+{
+    if (const auto branches = branchesOfTree(inner)) // as of columns
+    {
+        return nearestForcesInTree(inner, *branches, near, tolerance);
+    }
+    ++step.motion.attempt.factorisations;
+    return nearestForces(grounded(), near, tolerance, *step.motion.symbolicOfHeld.get());
+}
+
 } // namespace
 
 template<int Dim>
@@ -106,21 +140,9 @@ HoldingForces findHoldingForces(Step<Dim>& step, const BlockGroups<Dim>& groups,
     const double tolerance = step.settings.solver.tolerance;
     const double closer = partOfTolerance * tolerance;
     const InnerBalance<Dim> inner = innerBalance(step, groups, std::move(missing));
-    std::optional<StepProgram<Dim>> balance; // made once it is needed
-    const auto grounded = [&]() -> const StepProgram<Dim>&
-    { return balance ? *balance : balance.emplace(withGroundInBodies(groups, inner.program)); };
+    GroundedBalance<Dim> grounded(groups, inner.program);
     const Eigen::VectorXd near = takenFrom<Dim>(inner.points, step.guess.contactForce);
-    int& factorisations = step.motion.attempt.factorisations;
-    Eigen::VectorXd holding;
-    if (const auto branches = branchesOfTree(inner.program)) // as of columns
-    {
-        holding = nearestForcesInTree(inner.program, *branches, near, closer);
-    }
-    else
-    {
-        holding = nearestForces(grounded(), near, closer, *step.motion.symbolicOfHeld.get());
-        ++factorisations;
-    }
+    Eigen::VectorXd holding = forcesInBalance(step, inner.program, grounded, near, closer);
     if (holding.size() != inner.program.gap.size())
     {
         return {};
@@ -133,20 +155,15 @@ HoldingForces findHoldingForces(Step<Dim>& step, const BlockGroups<Dim>& groups,
     }
     if (!failing.empty())
     {
-        const Eigen::VectorXd repaired = repairedForces(grounded(), holding, failing, closer, factorisations);
-        if (repaired.size() > 0)
+        holding = repairedForces(grounded(), holding, failing, closer, step.motion.attempt.factorisations);
+        if (holding.size() == 0)
         {
-            holding = repaired;
-            failing.clear();
+            for (std::size_t& point : failing)
+            {
+                point = inner.points[point];
+            }
+            return {false, {}, std::move(failing)};
         }
-    }
-    if (!failing.empty())
-    {
-        for (std::size_t& point : failing)
-        {
-            point = inner.points[point];
-        }
-        return {false, {}, std::move(failing)};
     }
     HoldingForces found;
     found.certificate = restWith(inner.program, holding).certificate;

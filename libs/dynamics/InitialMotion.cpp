@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Reading of 0/motion.
+/// Reads 0/motion, and questions patterns and rotations that are probably mistakes.
 #include "dynamics/InitialMotion.h"
 
 #include "dictionary/DictionaryPattern.h"

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Steps at rest.
+/// Asks whether blocks may rest at all; forces that hold them, certified, are the proof that they do.
 #include "dynamics/RestingStep.h"
 
 #include "conic/BalancedForces.h"

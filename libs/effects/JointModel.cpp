@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// The keys of joints.
+/// Declares the keys of joints, and the types of `contact` and `jointPoints`.
 #include "effects/JointModel.h"
 
 #include "effects/ContactProperties.h"

@@ -78,6 +78,43 @@ void declare(Options& options, ReturnTime& settings)
     options.required("reference", settings.reference, referenceTypes(), "what the figure is compared with");
 }
 
+/// The time of a return in a run. \param count which one
+Measurement measuredReturn(const SharedCase<2>& study, std::size_t block, std::size_t count,
+                           const RunSetting& setting, const StepPhase& phase)
+{
+    ReturnWatch watch(block, 3 * study->scene->free[block] + 2);
+    Measurement result = stepThrough(sceneWith(*study, setting), *study, setting, phase,
+                                     [&](const Motion<2>& motion, double timeStep)
+                                     {
+                                         watch.observe(motion, timeStep);
+                                         return watch.returns().size() < count;
+                                     });
+    if (result.end == RunEnd::done && watch.returns().size() < count)
+    {
+        result.end = RunEnd::missing;
+    }
+    result.value = result.end == RunEnd::done ? watch.returns()[count - 1] : notKnown;
+    return result;
+}
+
+/// The same by Housner's equation.
+double housnerReturn(const SharedCase<2>& study, std::size_t count)
+{
+    const HousnerCase housner = housnerCase(*study);
+    RockingRun run;
+    run.start = housner.start;
+    run.endTime = study->endTime;
+    run.untilVerdict = false;
+    const RockingHistory history = rockingMotion(housner.block, *housnerGround(*study), run);
+    if (history.impacts.size() < count)
+    {
+        throw FatalError(fmt::format("By Housner's equation the block is upright {} times before endTime, "
+                                     "not {}: lower `count`, or raise endTime.",
+                                     history.impacts.size(), count));
+    }
+    return history.impacts[count - 1].time;
+}
+
 QuantityPlan makeReturnTime(const ReturnTime& settings, const Dictionary& dictionary)
 {
     QuantityPlan plan{QuantityKind::motion, settings.reference, {}};
@@ -90,45 +127,14 @@ QuantityPlan makeReturnTime(const ReturnTime& settings, const Dictionary& dictio
     plan.make.inPlane = [settings, location = dictionary.locationOf("block")](const SharedCase<2>& study)
     {
         const std::size_t block = freeBlock(study->scene->assembly, settings.block, location);
-        const Eigen::Index row = 3 * study->scene->free[block] + 2;
         const auto count = static_cast<std::size_t>(settings.count);
         Quantity quantity;
         quantity.summary = fmt::format("time at which block {} is upright again for the {} time",
                                        settings.block, ordinal(settings.count));
         quantity.unit = "s";
-        quantity.measure = [study, block, row, count](const RunSetting& setting, const StepPhase& phase)
-        {
-            ReturnWatch watch(block, row);
-            Measurement result = stepThrough(sceneWith(*study, setting), *study, setting, phase,
-                                             [&](const Motion<2>& motion, double timeStep)
-                                             {
-                                                 watch.observe(motion, timeStep);
-                                                 return watch.returns().size() < count;
-                                             });
-            if (result.end == RunEnd::done && watch.returns().size() < count)
-            {
-                result.end = RunEnd::missing;
-            }
-            result.value = result.end == RunEnd::done ? watch.returns()[count - 1] : notKnown;
-            return result;
-        };
-        quantity.housner = [study, count]
-        {
-            const HousnerCase housner = housnerCase(*study);
-            RockingRun run;
-            run.start = housner.start;
-            run.endTime = study->endTime;
-            run.untilVerdict = false;
-            const RockingHistory history = rockingMotion(housner.block, *housnerGround(*study), run);
-            if (history.impacts.size() < count)
-            {
-                throw FatalError(fmt::format(
-                    "By Housner's equation the block is upright {} times before endTime, not {}: lower "
-                    "`count`, or raise endTime.",
-                    history.impacts.size(), count));
-            }
-            return history.impacts[count - 1].time;
-        };
+        quantity.measure = [study, block, count](const RunSetting& setting, const StepPhase& phase)
+        { return measuredReturn(study, block, count, setting, phase); };
+        quantity.housner = [study, count] { return housnerReturn(study, count); };
         return quantity;
     };
     return plan;

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Reads an ensemble.
+/// Reads an ensemble, and refuses before the first sample what would make each of them fail.
 #include "ensembles/Ensemble.h"
 
 #include "core/Log.h"

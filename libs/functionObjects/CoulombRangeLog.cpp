@@ -14,25 +14,13 @@
 namespace drystone
 {
 
-std::string questionOfLowest(const CoulombRange& range)
+namespace
 {
-    constexpr double farBelow = 0.1;
-    if (range.converged == 0 || !std::isfinite(range.associative)
-        || !(std::abs(range.lowest) < farBelow * std::abs(range.associative)))
-    {
-        return "";
-    }
-    return fmt::format(
-        "The lowest is {:.1g} of the associative multiplier: see whether its mechanism is one of real "
-        "joints. In space a block that turns about one of its corners may need no load, as "
-        "all its pressure can stand on that corner, a point, and not on a face.",
-        std::abs(range.lowest / range.associative));
-}
 
-void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
+/// Which collapses were found, or that there is none, as far as it is proved.
+void printCollapses(const CoulombRange& range, const LimitAnalysis& result)
 {
     constexpr int manyStarts = 10;
-    const double sign = result.isReversed ? -1 : 1;
     if (range.converged > 0)
     {
         info("Coulomb's law: lowest of the collapses found, alpha {} to {} ({} of {} starts converged{}); "
@@ -64,6 +52,28 @@ void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
                                result.isReversed ? "most" : "least", alphaText(range.safe))
                  : "");
     }
+}
+
+} // namespace
+
+std::string questionOfLowest(const CoulombRange& range)
+{
+    constexpr double farBelow = 0.1;
+    if (range.converged == 0 || !std::isfinite(range.associative)
+        || !(std::abs(range.lowest) < farBelow * std::abs(range.associative)))
+    {
+        return "";
+    }
+    return fmt::format(
+        "The lowest is {:.1g} of the associative multiplier: see whether its mechanism is one of real "
+        "joints. In space a block that turns about one of its corners may need no load, as "
+        "all its pressure can stand on that corner, a point, and not on a face.",
+        std::abs(range.lowest / range.associative));
+}
+
+void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
+{
+    printCollapses(range, result);
     if (const std::string question = questionOfLowest(range); !question.empty())
     {
         info("{}", question);
@@ -74,6 +84,7 @@ void printCoulombRange(const CoulombRange& range, const LimitAnalysis& result)
              *range.cutShortAfter,
              range.converged > 0 ? "lower collapses may exist" : "that none was found says little");
     }
+    const double sign = result.isReversed ? -1 : 1;
     if (sign * range.fall < sign * range.lowest)
     {
         info("Blocks may fall under the dead load alone from alpha {} on: with other forces at rest, or as "

@@ -102,6 +102,58 @@ void printGoverning(const std::vector<LimitAnalysis>& results)
     }
 }
 
+/// What a mechanism dissipates less than the program has it, and the stress of its joints carries less, where
+/// both are taken over whole faces and not at contact points.
+struct WholeJoints
+{
+    double size = 0;        ///< that differences are compared with, see sizeOf
+    double less = 0;        ///< of the multiplier, or more of a base reaction [N]
+    double carriedLess = 0; ///< likewise, by an estimate
+    std::string ofFaces;    ///< the bound of the whole faces
+};
+
+WholeJoints wholeJointsOf(const LimitAnalysisCase<3>& structure, const LimitAnalysis& result)
+{
+    const Eigen::VectorXd& live = liveLoadOf(structure, result);
+    WholeJoints joints;
+    joints.size = sizeOf(structure, result);
+    joints.less = sumOf(dissipatedLessByCell(structure.program, structure.patches, live, result.mechanism));
+    joints.carriedLess = sumOf(
+        carriedLessByCell(structure.program, structure.patches, live, result.mechanism, result.contactForce));
+    joints.ofFaces = structure.movement
+                         ? fmt::format("a base reaction >= {:.6g} N, {:.3g} N more",
+                                       result.alpha + joints.less, joints.less)
+                         : fmt::format("alpha {} {:.6g}, {:.2g}% less", boundSign(result),
+                                       result.alpha - std::copysign(joints.less, live.dot(result.mechanism)),
+                                       100 * joints.less / joints.size);
+    return joints;
+}
+
+void warnOfCarriedLess(const LimitAnalysisCase<3>& structure, const WholeJoints& joints)
+{
+    printWarning(fmt::format(
+        "The stress that joints bear over their faces carries less than their {} contact points: by an "
+        "estimate {}. {}",
+        structure.points.size(),
+        structure.movement ? fmt::format("the base reaction is {:.3g} N more", joints.carriedLess)
+                           : fmt::format("{:.2g}% less than alpha", 100 * joints.carriedLess / joints.size),
+        jointPointsOf<PointGrid>(structure.contact)
+            ? structure.movement ? "Give a finer grid."
+                                 : "Give a finer grid, or `jointPoints { type adaptive; }`."
+            : "No more points are added; `jointPoints { type grid; }` may have more."));
+}
+
+std::string boundOfFaces(const LimitAnalysisCase<3>& structure, const WholeJoints& joints)
+{
+    return fmt::format("Over the whole faces of its joints this mechanism has {}: strengths act at contact "
+                       "points. With {} both come nearer to the exact {}.",
+                       joints.ofFaces,
+                       structure.movement
+                           ? "a finer grid, `jointPoints { type grid; perSide 9; }` say,"
+                           : "`jointPoints { type adaptive; tolerance 1e-4; }` or a finer grid",
+                       structure.movement ? "reaction" : "multiplier");
+}
+
 /// In space, where joints have strengths: by how much their points are on the unsafe side.
 void printWholeJoints(const LimitAnalysisCase<2>&, const LimitAnalysis&) {}
 void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis& result)
@@ -112,53 +164,28 @@ void printWholeJoints(const LimitAnalysisCase<3>& structure, const LimitAnalysis
     {
         return;
     }
-    const double size = sizeOf(structure, result);
-    const Eigen::VectorXd& live = liveLoadOf(structure, result);
-    const double less =
-        sumOf(dissipatedLessByCell(structure.program, structure.patches, live, result.mechanism));
-    const double carriedLess = sumOf(
-        carriedLessByCell(structure.program, structure.patches, live, result.mechanism, result.contactForce));
-    const std::string ofFaces =
-        structure.movement
-            ? fmt::format("a base reaction >= {:.6g} N, {:.3g} N more", result.alpha + less, less)
-            : fmt::format("alpha {} {:.6g}, {:.2g}% less", boundSign(result),
-                          result.alpha - std::copysign(less, live.dot(result.mechanism)), 100 * less / size);
+    const WholeJoints joints = wholeJointsOf(structure, result);
     const AdaptivePoints* adaptive = jointPointsOf<AdaptivePoints>(structure.contact);
-    if (adaptive && less > adaptive->tolerance * size)
+    const double tolerance = adaptive ? adaptive->tolerance : AdaptivePoints().tolerance;
+    if (adaptive && joints.less > tolerance * joints.size)
     {
         printWarning(
             fmt::format("The tolerance {:g} of jointPoints is not reached: over the whole faces of its "
                         "joints this mechanism has {}. With {} contact points "
                         "no more are added.",
-                        adaptive->tolerance, ofFaces, structure.points.size()));
-        return;
+                        tolerance, joints.ofFaces, structure.points.size()));
     }
-    const double tolerance = adaptive ? adaptive->tolerance : AdaptivePoints().tolerance;
-    if (carriedLess > std::max(less, 2 * tolerance * size))
+    else if (joints.carriedLess > std::max(joints.less, 2 * tolerance * joints.size))
     {
-        printWarning(fmt::format(
-            "The stress that joints bear over their faces carries less than their {} contact points: by an "
-            "estimate {}. {}",
-            structure.points.size(),
-            structure.movement ? fmt::format("the base reaction is {:.3g} N more", carriedLess)
-                               : fmt::format("{:.2g}% less than alpha", 100 * carriedLess / size),
-            jointPointsOf<PointGrid>(structure.contact)
-                ? structure.movement ? "Give a finer grid."
-                                     : "Give a finer grid, or `jointPoints { type adaptive; }`."
-                : "No more points are added; `jointPoints { type grid; }` may have more."));
-        return;
+        warnOfCarriedLess(structure, joints);
     }
-    if (less > worthSaying * size)
+    else if (joints.less > worthWarning * joints.size)
     {
-        const std::string bound = fmt::format(
-            "Over the whole faces of its joints this mechanism has {}: strengths act at contact points. With "
-            "{} "
-            "both come nearer to the exact {}.",
-            ofFaces,
-            structure.movement ? "a finer grid, `jointPoints { type grid; perSide 9; }` say,"
-                               : "`jointPoints { type adaptive; tolerance 1e-4; }` or a finer grid",
-            structure.movement ? "reaction" : "multiplier");
-        less > worthWarning* size ? printWarning(bound) : printLine(bound);
+        printWarning(boundOfFaces(structure, joints));
+    }
+    else if (joints.less > worthSaying * joints.size)
+    {
+        printLine(boundOfFaces(structure, joints));
     }
 }
 

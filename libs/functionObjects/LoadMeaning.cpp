@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Multipliers in forces.
+/// Resultants of dead and live loads in words, with the multiplier as a force.
 #include "functionObjects/LoadMeaning.h"
 
 #include <fmt/format.h>

@@ -44,26 +44,30 @@ std::string endText(PushoverEnd end)
     return "not converged: the curve is incomplete. Try another step";
 }
 
-} // namespace
-
+/// Solves the pushover and writes frames of it: at most a hundred along a mean block size.
 template<int Dim>
-bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<Dim>& structure,
-                 const PictureFormats& formats)
+Pushover pushoverWithFrames(const std::filesystem::path& caseDirectory,
+                            const LimitAnalysisCase<Dim>& structure)
 {
     constexpr double frames = 100;
     const double between = std::max(structure.pushover->step, meanBlockSize(structure.assembly) / frames);
     VtkSeries series(caseDirectory / "VTK", "pushover", 0, "limitAnalysis");
     double next = 0;
-    const Pushover pushover = solvePushover<Dim>(
-        structure,
-        [&](const CapacityPoint& point, const std::vector<Placement<Dim>>& placements)
-        {
-            if (point.displacement >= next || point.alpha == 0)
-            {
-                series.write(point.displacement, blockFrame(structure.assembly, placements));
-                next = point.displacement + between;
-            }
-        });
+    return solvePushover<Dim>(structure,
+                              [&](const CapacityPoint& point, const std::vector<Placement<Dim>>& placements)
+                              {
+                                  if (point.displacement >= next || point.alpha == 0)
+                                  {
+                                      series.write(point.displacement,
+                                                   blockFrame(structure.assembly, placements));
+                                      next = point.displacement + between;
+                                  }
+                              });
+}
+
+void writeCapacity(const std::filesystem::path& caseDirectory, const Pushover& pushover,
+                   const PictureFormats& formats)
+{
     std::string table = "# displacement[m] alpha[-] largestDisplacement[m] certificate[-] iterations[-]\n";
     PlotCurve curve;
     for (const CapacityPoint& point : pushover.curve)
@@ -86,6 +90,11 @@ bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysis
         plot.curves.push_back(std::move(curve));
         writePlot(file("capacity"), plot, formats);
     }
+}
+
+template<int Dim>
+void printPushover(const Assembly<Dim>& assembly, const Pushover& pushover)
+{
     info("Pushover: {} positions; {}{}\n", pushover.curve.size(), endText(pushover.end),
          pushover.curve.empty() ? "" : fmt::format(", at d = {:.6g} m", pushover.curve.back().displacement));
     if (pushover.stepsToFirstOrder > 0)
@@ -97,10 +106,20 @@ bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysis
     }
     if (pushover.end == PushoverEnd::meeting)
     {
-        info("{} and {} would be {:.3g} m in each other\n",
-             blockName(structure.assembly, pushover.overlap.block),
-             blockName(structure.assembly, pushover.overlap.neighbour), pushover.overlap.depth);
+        info("{} and {} would be {:.3g} m in each other\n", blockName(assembly, pushover.overlap.block),
+             blockName(assembly, pushover.overlap.neighbour), pushover.overlap.depth);
     }
+}
+
+} // namespace
+
+template<int Dim>
+bool runPushover(const std::filesystem::path& caseDirectory, const LimitAnalysisCase<Dim>& structure,
+                 const PictureFormats& formats)
+{
+    const Pushover pushover = pushoverWithFrames(caseDirectory, structure);
+    writeCapacity(caseDirectory, pushover, formats);
+    printPushover(structure.assembly, pushover);
     return pushover.end != PushoverEnd::notConverged && pushover.end != PushoverEnd::meeting;
 }
 

@@ -4,6 +4,9 @@
 
 #include "geometry/Vector.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace drystone
 {
 
@@ -45,11 +48,34 @@ void extend(Box<Dim>& box, const Box<Dim>& other)
     box.upper = box.upper.cwiseMax(other.upper);
 }
 
+/// The smallest box that contains every point; empty where there are none.
+template<int Dim>
+Box<Dim> boxAround(const std::vector<Vector<Dim>>& points)
+{
+    Box<Dim> box;
+    for (const Vector<Dim>& point : points)
+    {
+        extend(box, point);
+    }
+    return box;
+}
+
 /// The smallest box that contains two points, and the line between them.
 template<int Dim>
 Box<Dim> boxAround(const Vector<Dim>& a, const Vector<Dim>& b)
 {
     return {a.cwiseMin(b), a.cwiseMax(b)};
+}
+
+/// Whether a box is so far from the origin, as in coordinates of a map, that the seven digits of single
+/// precision would leave too little of the distances within it to see: a coordinate is more than a hundred
+/// times its largest side. An empty box is not.
+template<int Dim>
+bool isFarFromOrigin(const Box<Dim>& box)
+{
+    constexpr double far = 100;
+    const double size = (box.upper - box.lower).maxCoeff();
+    return size >= 0 && std::max(-box.lower.minCoeff(), box.upper.maxCoeff()) > far * size;
 }
 
 /// Whether the closed boxes share a point: boxes that only touch do meet.

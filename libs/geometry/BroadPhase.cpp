@@ -145,22 +145,12 @@ void addPairs(const Tree<Dim>& tree, const Box<Dim>& box, int i, int after,
 
 BoundingBox boundingBox(const Polygon& polygon)
 {
-    BoundingBox box;
-    for (const Vector<2>& vertex : polygon)
-    {
-        extend<2>(box, vertex);
-    }
-    return box;
+    return boxAround<2>(polygon);
 }
 
 Box<3> boundingBox(const Polyhedron& polyhedron)
 {
-    Box<3> box;
-    for (const Vector<3>& vertex : polyhedron.vertices)
-    {
-        extend<3>(box, vertex);
-    }
-    return box;
+    return boxAround<3>(polyhedron.vertices);
 }
 
 template<int Dim>

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Colours and legend.
+/// Clay from light, where blocks rest, to dark, where they move farthest.
 #include "io/ClayColour.h"
 
 #include <fmt/format.h>

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace drystone
 {
@@ -19,58 +20,74 @@ namespace drystone
 namespace
 {
 
-BlockFrame readFrame(const std::filesystem::path& file, double time, std::size_t blocks)
+/// The fields of a frame, a value a cell.
+struct FrameFields
 {
-    const auto fail = [&](const std::string& what)
-    {
-        throw FatalError(
-            fmt::format("{} is no frame of the blocks of this case: {}.\n\nRun the application again that "
-                        "wrote it.",
-                        file.string(), what));
-    };
+    Field block;        ///< a component
+    Field displacement; ///< three
+    Field rotation;     ///< one in the plane, three in space
+};
+
+[[noreturn]] void failToRead(const std::filesystem::path& file, const std::string& what)
+{
+    throw FatalError(
+        fmt::format("{} is no frame of the blocks of this case: {}.\n\nRun the application again that "
+                    "wrote it.",
+                    file.string(), what));
+}
+
+FrameFields readFields(const std::filesystem::path& file)
+{
     const std::string bytes = contentOfFile(file);
-    const std::optional<Field> block = cellField(bytes, "blockId");
-    const std::optional<Field> displacement = cellField(bytes, "displacement[m]");
-    const std::optional<Field> rotation = cellField(bytes, "rotation[rad]");
+    std::optional<Field> block = cellField(bytes, "blockId");
+    std::optional<Field> displacement = cellField(bytes, "displacement[m]");
+    std::optional<Field> rotation = cellField(bytes, "rotation[rad]");
     if (!block || !displacement || !rotation)
     {
-        fail("blockId, displacement or rotation is missing or damaged");
+        failToRead(file, "blockId, displacement or rotation is missing or damaged");
     }
     if (block->components != 1 || displacement->components != 3)
     {
-        fail(fmt::format("blockId and displacement have {} and {} components, not 1 and 3", block->components,
-                         displacement->components));
+        failToRead(file, fmt::format("blockId and displacement have {} and {} components, not 1 and 3",
+                                     block->components, displacement->components));
     }
     const auto turns = static_cast<std::size_t>(rotation->components);
     const std::size_t cells = block->values.size();
     if (displacement->values.size() != 3 * cells || rotation->values.size() != turns * cells)
     {
-        fail(fmt::format("blockId, displacement and rotation have {}, {} and {} rows", cells,
-                         displacement->values.size() / 3, rotation->values.size() / turns));
+        failToRead(file, fmt::format("blockId, displacement and rotation have {}, {} and {} rows", cells,
+                                     displacement->values.size() / 3, rotation->values.size() / turns));
     }
+    return {std::move(*block), std::move(*displacement), std::move(*rotation)};
+}
+
+BlockFrame readFrame(const std::filesystem::path& file, double time, std::size_t blocks)
+{
+    const FrameFields fields = readFields(file);
     const auto count = static_cast<Eigen::Index>(blocks);
     constexpr double absent = std::numeric_limits<double>::quiet_NaN();
     BlockFrame frame{time, Eigen::Matrix3Xd::Constant(3, count, absent),
                      Eigen::Matrix3Xd::Constant(3, count, absent)};
-    for (std::size_t cell = 0; cell < cells; ++cell)
+    for (std::size_t cell = 0; cell < fields.block.values.size(); ++cell)
     {
-        const double number = block->values[cell];
+        const double number = fields.block.values[cell];
         if (!(number >= 0 && number < static_cast<double>(blocks)))
         {
-            fail(fmt::format("it shows block {}, and there are {}", number, blocks));
+            failToRead(file, fmt::format("it shows block {}, and there are {}", number, blocks));
         }
         const auto index = static_cast<Eigen::Index>(number);
         const auto from = [cell](const Field& field, std::size_t component)
         { return field.values[cell * static_cast<std::size_t>(field.components) + component]; };
+        const bool turnsInSpace = fields.rotation.components == 3;
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
             const auto row = static_cast<Eigen::Index>(axis);
-            frame.displacement(row, index) = from(*displacement, axis);
-            frame.rotation(row, index) = turns == 3 ? from(*rotation, axis) : 0;
+            frame.displacement(row, index) = from(fields.displacement, axis);
+            frame.rotation(row, index) = turnsInSpace ? from(fields.rotation, axis) : 0;
         }
-        if (turns == 1)
+        if (fields.rotation.components == 1)
         {
-            frame.rotation(2, index) = from(*rotation, 0);
+            frame.rotation(2, index) = from(fields.rotation, 0);
         }
     }
     return frame;

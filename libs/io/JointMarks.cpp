@@ -5,6 +5,7 @@
 #include "contact/PointsOfJoints.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace drystone
@@ -119,6 +120,67 @@ std::vector<Vector<3>> hullOf(const std::vector<ContactPoint<3>>& points, const 
     return corners;
 }
 
+/// How fast the two sides of each point part and slip.
+template<int Dim>
+std::vector<Vector<Dim>> ratesApart(const Assembly<Dim>& assembly,
+                                    const std::vector<ContactPoint<Dim>>& points, const Rates<Dim>& rates)
+{
+    const std::vector<BlockMass<Dim>> masses = blockMasses(assembly);
+    std::vector<Vector<Dim>> apart;
+    for (const ContactPoint<Dim>& point : points)
+    {
+        apart.emplace_back(contactFrame(point).transpose()
+                           * (rateAt<Dim>(rates, masses, point.block, point.position)
+                              - rateAt<Dim>(rates, masses, point.neighbour, point.position)));
+    }
+    return apart;
+}
+
+/// The mark of a joint, where it is a hinge or slides. \param apart (opening, slips) of all points \param
+/// least rate of a point that moves
+template<int Dim>
+std::optional<JointMark> markOf(const std::vector<ContactPoint<Dim>>& points, const PointRange& joint,
+                                const std::vector<double>& friction, const std::vector<Vector<Dim>>& apart,
+                                double least)
+{
+    std::vector<Vector<3>> together;
+    bool slides = false;
+    bool parts = false;
+    for (std::size_t i = joint.begin; i < joint.end; ++i)
+    {
+        const Vector<Dim>& rate = apart[i];
+        const double slip = rate.template tail<Dim - 1>().norm();
+        if (rate.norm() <= least)
+        {
+            together.push_back(inSpace(points[i].position));
+        }
+        else if (slip > least && rate.x() <= friction[i] * slip + least)
+        {
+            slides = true;
+        }
+        else
+        {
+            parts = true;
+        }
+    }
+    JointMark mark;
+    mark.block = points[joint.begin].block;
+    mark.neighbour = points[joint.begin].neighbour;
+    if (!together.empty() && parts)
+    {
+        mark.motion = JointMotion::hinge;
+        mark.points = endsOf(together);
+        return mark;
+    }
+    if (together.empty() && slides)
+    {
+        mark.motion = JointMotion::sliding;
+        mark.points = hullOf(points, joint);
+        return mark;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 template<int Dim>
@@ -126,54 +188,18 @@ std::vector<JointMark> jointMarks(const Assembly<Dim>& assembly, const std::vect
                                   const std::vector<double>& friction,
                                   const std::type_identity_t<Rates<Dim>>& rates)
 {
-    const std::vector<BlockMass<Dim>> masses = blockMasses(assembly);
-    std::vector<Vector<Dim>> apart; // (opening, slips) of each point
+    const std::vector<Vector<Dim>> apart = ratesApart<Dim>(assembly, points, rates);
     double fastest = 0;
-    for (const ContactPoint<Dim>& point : points)
+    for (const Vector<Dim>& rate : apart)
     {
-        apart.emplace_back(contactFrame(point).transpose()
-                           * (rateAt<Dim>(rates, masses, point.block, point.position)
-                              - rateAt<Dim>(rates, masses, point.neighbour, point.position)));
-        fastest = std::max(fastest, apart.back().norm());
+        fastest = std::max(fastest, rate.norm());
     }
-    const double least = still * fastest;
     std::vector<JointMark> marks;
     for (const PointRange& joint : pointsOfJoints(points))
     {
-        JointMark mark;
-        mark.block = points[joint.begin].block;
-        mark.neighbour = points[joint.begin].neighbour;
-        std::vector<Vector<3>> together;
-        bool slides = false;
-        bool parts = false;
-        for (std::size_t i = joint.begin; i < joint.end; ++i)
+        if (std::optional<JointMark> mark = markOf<Dim>(points, joint, friction, apart, still * fastest))
         {
-            const Vector<Dim>& rate = apart[i];
-            const double slip = rate.template tail<Dim - 1>().norm();
-            if (rate.norm() <= least)
-            {
-                together.push_back(inSpace(points[i].position));
-            }
-            else if (slip > least && rate.x() <= friction[i] * slip + least)
-            {
-                slides = true;
-            }
-            else
-            {
-                parts = true;
-            }
-        }
-        if (!together.empty() && parts)
-        {
-            mark.motion = JointMotion::hinge;
-            mark.points = endsOf(together);
-            marks.push_back(std::move(mark));
-        }
-        else if (together.empty() && slides)
-        {
-            mark.motion = JointMotion::sliding;
-            mark.points = hullOf(points, joint);
-            marks.push_back(std::move(mark));
+            marks.push_back(std::move(*mark));
         }
     }
     return marks;

@@ -301,20 +301,6 @@ std::size_t cellCount(const PolyData<Dim>& data)
 }
 
 template<int Dim>
-bool areFarFromOrigin(const std::vector<Vector<Dim>>& places)
-{
-    Box<Dim> box;
-    for (const Vector<Dim>& place : places)
-    {
-        extend(box, place);
-    }
-    constexpr double far = 100;
-    return !places.empty()
-           && std::max(-box.lower.minCoeff(), box.upper.maxCoeff())
-                  > far * (box.upper - box.lower).maxCoeff();
-}
-
-template<int Dim>
 std::string vtpBytes(const PolyData<Dim>& data)
 {
     checkPolyData(data);
@@ -335,8 +321,9 @@ std::string vtpBytes(const PolyData<Dim>& data)
     }
     text.elements += "      <Points>\n";
     const double* places = points > 0 ? data.points.front().data() : nullptr;
-    areFarFromOrigin<Dim>(data.points) ? text.array<double>("Float64", "Points", places, points, Dim)
-                                       : text.array<float>("Float32", "Points", places, points, Dim);
+    isFarFromOrigin(boxAround<Dim>(data.points))
+        ? text.array<double>("Float64", "Points", places, points, Dim)
+        : text.array<float>("Float32", "Points", places, points, Dim);
     text.elements += "      </Points>\n";
     addCells(text, data);
 
@@ -358,12 +345,10 @@ void writeVtp(const std::filesystem::path& file, const PolyData<Dim>& data)
 
 template void checkPolyData(const PolyData<2>& data);
 template std::size_t cellCount(const PolyData<2>& data);
-template bool areFarFromOrigin(const std::vector<Vector<2>>& places);
 template std::string vtpBytes(const PolyData<2>& data);
 template void writeVtp(const std::filesystem::path& file, const PolyData<2>& data);
 template void checkPolyData(const PolyData<3>& data);
 template std::size_t cellCount(const PolyData<3>& data);
-template bool areFarFromOrigin(const std::vector<Vector<3>>& places);
 template std::string vtpBytes(const PolyData<3>& data);
 template void writeVtp(const std::filesystem::path& file, const PolyData<3>& data);
 

@@ -51,15 +51,10 @@ std::size_t cellCount(const PolyData<Dim>& data);
 template<int Dim>
 void checkPolyData(const PolyData<Dim>& data);
 
-/// Whether places are so far from the origin, as in coordinates of a map, that single precision would leave
-/// too little of their distances to see: more than a hundred times their extent.
-template<int Dim>
-bool areFarFromOrigin(const std::vector<Vector<Dim>>& places);
-
 /// The bytes of a .vtp file: VTK's XML, arrays in base 64 of zlib's format, as VTK writes the same
 /// data (vtpBytesOfVtk; a test compares what its reader makes of both). Coordinates, unless they are far from
-/// the origin, and fields of the points of polygons are written in single precision, since they are only
-/// displayed, other fields in double precision, since they are also used in computations.
+/// the origin (isFarFromOrigin), and fields of the points of polygons are written in single precision, since
+/// they are only displayed, other fields in double precision, since they are also used in computations.
 ///
 /// \throws FatalError as checkPolyData
 template<int Dim>

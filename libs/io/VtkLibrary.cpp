@@ -4,6 +4,7 @@
 
 #include "core/Error.h"
 #include "core/WholeFile.h"
+#include "geometry/Box.h"
 #include "io/Frames.h"
 
 #include <libdeflate.h>
@@ -173,8 +174,8 @@ vtkSmartPointer<vtkPoints> pointsIn(const std::vector<Vector<Dim>>& places)
 template<int Dim>
 vtkSmartPointer<vtkPoints> pointsOfVtk(const std::vector<Vector<Dim>>& places)
 {
-    return areFarFromOrigin<Dim>(places) ? pointsIn<vtkDoubleArray, Dim>(places)
-                                         : pointsIn<vtkFloatArray, Dim>(places);
+    return isFarFromOrigin(boxAround<Dim>(places)) ? pointsIn<vtkDoubleArray, Dim>(places)
+                                                   : pointsIn<vtkFloatArray, Dim>(places);
 }
 
 /// Adds fields to those of cells or points: the first number and the first vector are what ParaView shows

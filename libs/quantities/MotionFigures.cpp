@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Measures of a motion.
+/// Figures of single blocks and of all, taken from placements, velocities and the ledger of energy.
 #include "quantities/MotionFigures.h"
 
 #include "assembly/BlockShape.h"

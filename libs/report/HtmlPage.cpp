@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Writes HTML.
+/// The style and the elements of a page; drawings in it have names of their own.
 #include "report/HtmlPage.h"
 
 #include "core/Base64.h"

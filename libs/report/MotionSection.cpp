@@ -259,13 +259,44 @@ std::vector<std::string> motionMeaning(const fs::path& caseDirectory, const Asse
     return sentences;
 }
 
+/// How many frames a page has room for.
+template<int Dim>
+std::size_t framesInPage(const Assembly<Dim>& assembly)
+{
+    constexpr std::size_t mostNumbers = 150'000; // of positions: some 2 MB of page
+    return mostNumbers / std::max<std::size_t>(1, assembly.blocks.size());
+}
+
+/// The viewer in three dimensions with the frames, or why the page has none.
+template<int Dim>
+void addViewer(HtmlPage& page, const Assembly<Dim>& assembly, const std::vector<BlockFrame>& frames,
+               const AnimationTime& time)
+{
+    const std::optional<std::string> script = viewerScript();
+    if (!script)
+    {
+        page.paragraph(
+            "This page has no viewer in three dimensions, since Drystone was built without npm; open "
+            "VTK/blocks.vtp.series in ParaView.");
+        return;
+    }
+    if (framesInPage(assembly) < 2)
+    {
+        page.paragraph(
+            fmt::format("{} blocks are too many for a viewer in this page; open VTK/blocks.vtp.series in "
+                        "ParaView.",
+                        assembly.blocks.size()));
+        return;
+    }
+    page.markup(viewerMarkup(viewerJson(assembly, frames, time), "motion"));
+    page.markup(fmt::format("<script>{}</script>\n", *script));
+}
+
 } // namespace
 
 template<int Dim>
 void addMotion(HtmlPage& page, const fs::path& caseDirectory, const Assembly<Dim>& assembly)
 {
-    constexpr std::size_t mostNumbers = 150'000; // of positions: some 2 MB of page
-    const std::size_t mostFrames = mostNumbers / std::max<std::size_t>(1, assembly.blocks.size());
     const std::string ofFrames = readSeries(caseDirectory / "VTK", "blocks").application;
     const bool hasMotion = isOfMotion(caseDirectory);
     const bool isMotion = hasMotion && (ofFrames.empty() || ofFrames == "contactDynamics");
@@ -287,8 +318,9 @@ void addMotion(HtmlPage& page, const fs::path& caseDirectory, const Assembly<Dim
                                    "ran after it. contactDynamics writes frames as it goes.",
                                    ofFrames));
     }
-    const std::vector<BlockFrame> frames = readBlockFrames(
-        caseDirectory / "VTK", "blocks", assembly.blocks.size(), std::clamp<std::size_t>(mostFrames, 2, 101));
+    const std::vector<BlockFrame> frames =
+        readBlockFrames(caseDirectory / "VTK", "blocks", assembly.blocks.size(),
+                        std::clamp<std::size_t>(framesInPage(assembly), 2, 101));
     if (isMotion && !frames.empty())
     {
         for (const std::string& sentence : motionMeaning(caseDirectory, assembly, frames))
@@ -296,26 +328,8 @@ void addMotion(HtmlPage& page, const fs::path& caseDirectory, const Assembly<Dim
             page.paragraph(sentence);
         }
     }
-    const std::optional<std::string> script = viewerScript();
-    if (!script)
-    {
-        page.paragraph(
-            "This page has no viewer in three dimensions, since Drystone was built without npm; open "
-            "VTK/blocks.vtp.series in ParaView.");
-        return;
-    }
-    if (mostFrames < 2)
-    {
-        page.paragraph(
-            fmt::format("{} blocks are too many for a viewer in this page; open VTK/blocks.vtp.series in "
-                        "ParaView.",
-                        assembly.blocks.size()));
-        return;
-    }
-    const AnimationTime time =
-        isMotion ? AnimationTime{"time", " s", 1} : AnimationTime{"part of the mechanism", "", 1};
-    page.markup(viewerMarkup(viewerJson(assembly, frames, time), "motion"));
-    page.markup(fmt::format("<script>{}</script>\n", *script));
+    addViewer(page, assembly, frames,
+              isMotion ? AnimationTime{"time", " s", 1} : AnimationTime{"part of the mechanism", "", 1});
 }
 
 template void addMotion(HtmlPage& page, const fs::path& caseDirectory, const Assembly<2>& assembly);

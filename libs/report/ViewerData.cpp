@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Writes what the viewer reads.
+/// Places from the middle of the structure in six digits, since a page has many thousands of them.
 #include "report/ViewerData.h"
 
 #include "core/WholeFile.h"

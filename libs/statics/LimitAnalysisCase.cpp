@@ -86,6 +86,66 @@ std::vector<Strength> strengthsOf(const std::vector<PointLaw>& laws)
     return isAny ? strengths : std::vector<Strength>();
 }
 
+/// Reads what system/solution and system/schemes say of the analysis.
+template<int Dim>
+void readControls(LimitAnalysisCase<Dim>& structure, const std::filesystem::path& caseDirectory)
+{
+    const Dictionary solution = readSolution(caseDirectory, "limitAnalysis");
+    const auto controls = readOptions<LimitAnalysisControls>(solution);
+    structure.solutionLocations = EntryLocations(solution);
+    structure.solution = controls.solver;
+    structure.nonAssociative = controls.nonAssociative;
+    structure.pushover = controls.pushover;
+    structure.effects = readSchemes(caseDirectory).effects;
+    if (solvesMotionOnly(structure.solution.solver))
+    {
+        throw FatalIOError(nameOf(structure.solution.solver)
+                               + " solves steps in time only. Write `solver interiorPoint;`.",
+                           structure.solutionLocations.of("solver"));
+    }
+    structure.solution.solver = SolverType::interiorPoint;
+}
+
+/// Reads the contact properties. \param jointPoints see readLimitAnalysisCase
+template<int Dim>
+void readContact(LimitAnalysisCase<Dim>& structure, const std::filesystem::path& caseDirectory,
+                 std::optional<int> jointPoints)
+{
+    structure.contact = readContactProperties(caseDirectory);
+    if (jointPoints && Dim == 2)
+    {
+        structure.contact.pointsPerJoint = jointPoints;
+    }
+    if (jointPoints && Dim == 3)
+    {
+        structure.contact.jointPoints = PointGrid{*jointPoints};
+    }
+}
+
+/// Reads the loads, with combinations those of the first, and what they say of the analysis.
+template<int Dim>
+void readLoadsOfCase(LimitAnalysisCase<Dim>& structure, const std::filesystem::path& caseDirectory)
+{
+    const Vector<Dim> gravity = readGravity<Dim>(caseDirectory);
+    const std::vector<BlockMass<Dim>> massOfBlocks = blockMasses(structure.assembly);
+    const std::vector<double> masses =
+        massesOf(massOfBlocks, readDensities(caseDirectory, structure.assembly, gravity));
+    const LoadContext<Dim> context{structure.assembly, masses, gravity,
+                                   [&structure] { return coveredSurface(structure.assembly); }};
+    structure.combinations = readLoadCombinations(caseDirectory, context);
+    if (structure.combinations.empty())
+    {
+        structure.loads = readLoads(caseDirectory, context, LiveLoad::required);
+    }
+    else
+    {
+        static_cast<LoadVectors&>(structure.loads) = structure.combinations.front().second;
+    }
+    structure.freeBlocks = static_cast<int>(structure.loads.dead.size()) / freedomCount<Dim>;
+    structure.movement = structure.loads.movement;
+    structure.multiplier = structure.loads.multiplier;
+}
+
 } // namespace
 
 void declare(Options& options, LimitAnalysisControls& controls)
@@ -146,56 +206,14 @@ LimitAnalysisCase<Dim> readLimitAnalysisCase(const std::filesystem::path& caseDi
                                              SoundStructure<Dim> blocks, std::optional<int> jointPoints)
 {
     LimitAnalysisCase<Dim> result;
-    const Dictionary solution = readSolution(caseDirectory, "limitAnalysis");
-    const auto controls = readOptions<LimitAnalysisControls>(solution);
-    result.solutionLocations = EntryLocations(solution);
-    result.solution = controls.solver;
-    result.nonAssociative = controls.nonAssociative;
-    result.pushover = controls.pushover;
-    result.effects = readSchemes(caseDirectory).effects;
-    if (solvesMotionOnly(result.solution.solver))
-    {
-        throw FatalIOError(nameOf(result.solution.solver)
-                               + " solves steps in time only. Write `solver interiorPoint;`.",
-                           result.solutionLocations.of("solver"));
-    }
-    result.solution.solver = SolverType::interiorPoint;
+    readControls(result, caseDirectory);
     result.assembly = std::move(blocks.assembly);
     result.points = std::move(blocks.points);
-
-    result.contact = readContactProperties(caseDirectory);
-    if (jointPoints && Dim == 2)
-    {
-        result.contact.pointsPerJoint = jointPoints;
-    }
-    if (jointPoints && Dim == 3)
-    {
-        result.contact.jointPoints = PointGrid{*jointPoints};
-    }
-    const Vector<Dim> gravity = readGravity<Dim>(caseDirectory);
-    const std::vector<BlockMass<Dim>> massOfBlocks = blockMasses(result.assembly);
-    const std::vector<double> masses =
-        massesOf(massOfBlocks, readDensities(caseDirectory, result.assembly, gravity));
-    const LoadContext<Dim> context{result.assembly, masses, gravity,
-                                   [&result] { return coveredSurface(result.assembly); }};
-    result.combinations = readLoadCombinations(caseDirectory, context);
-    CaseLoads<Dim> loads;
-    if (result.combinations.empty())
-    {
-        loads = readLoads(caseDirectory, context, LiveLoad::required);
-    }
-    else
-    {
-        static_cast<LoadVectors&>(loads) = result.combinations.front().second;
-    }
-
+    readContact(result, caseDirectory, jointPoints);
+    readLoadsOfCase(result, caseDirectory);
     const std::vector<PointLaw> laws = setContactPoints(result);
     result.friction = frictionsOf(laws);
-    result.freeBlocks = static_cast<int>(loads.dead.size()) / freedomCount<Dim>;
-    result.loads = loads;
-    result.movement = loads.movement;
     result.program = programOf(result, strengthsOf(laws));
-    result.multiplier = loads.multiplier;
     requireInScope(result);
     return result;
 }

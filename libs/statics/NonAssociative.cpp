@@ -61,34 +61,57 @@ double safeMultiplier(const ConeProgram<Rows, Forces>& program, const InteriorPo
     return analyse().status == CollapseStatus::unbounded ? infinity : -infinity;
 }
 
+/// The starts of a search, each further one for as long as such starts pay.
+template<int Rows, int Forces>
+class StartsOfSearch
+{
+public:
+    /// \param requested number of starts that are followed in any case
+    StartsOfSearch(CollapseSearch<Rows, Forces>& ofPairs, int requested) : search(ofPairs), starts(requested)
+    {
+    }
+
+    void follow();
+
+private:
+    bool goesOn(int start) const;
+
+    CollapseSearch<Rows, Forces>& search;
+    int starts;
+    int vain = 0; ///< paths in a row that have not lowered the multiplier
+};
+
+template<int Rows, int Forces>
+bool StartsOfSearch<Rows, Forces>::goesOn(int start) const
+{
+    const int further = start - starts;
+    const bool isFound = search.found.lowest.exists() && !search.found.isByRefinement;
+    const bool goesLower = search.isCheap() || (Forces == 3 && vain < vainStarts);
+    return further < 0 || further < (!isFound ? furtherStarts : goesLower ? mostStartsToLower : 0);
+}
+
+template<int Rows, int Forces>
+void StartsOfSearch<Rows, Forces>::follow()
+{
+    for (int start = 0; goesOn(start) && !search.isOver(); ++start)
+    {
+        const double before = search.found.lowest.alpha;
+        search.go(start);
+        const bool isLower = search.found.lowest.alpha < (1 - leastLowering) * before;
+        vain = isLower || !search.found.lowest.exists() ? 0 : vain + 1;
+    }
+}
+
 /// The moves of a search, in their order, until there is a pair. \param ofAssociative how the associative
 /// analysis has ended
 template<int Rows, int Forces>
-void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatus ofAssociative)
+void searchPairs(CollapseSearch<Rows, Forces>& search, int requestedStarts, CollapseStatus ofAssociative)
 {
-    int vain = 0; // paths in a row that have not lowered the multiplier
-    const auto goesOn = [&](int start)
-    {
-        const int further = start - starts;
-        const bool isFound = search.found.lowest.exists() && !search.found.isByRefinement;
-        const bool goesLower = search.isCheap() || (Forces == 3 && vain < vainStarts);
-        return further < 0 || further < (!isFound ? furtherStarts : goesLower ? mostStartsToLower : 0);
-    };
-    const auto followStarts = [&]
-    {
-        for (int start = 0; goesOn(start) && !search.isOver(); ++start)
-        {
-            const double before = search.found.lowest.alpha;
-            search.go(start);
-            vain = search.found.lowest.alpha < (1 - leastLowering) * before || !search.found.lowest.exists()
-                       ? 0
-                       : vain + 1;
-        }
-    };
+    StartsOfSearch<Rows, Forces> starts(search, requestedStarts);
     const bool isLarge = !search.followsPaths;
     if (isLarge)
     {
-        followStarts();
+        starts.follow();
         search.followsPaths = true;
         if (search.found.lowest.exists())
         {
@@ -97,7 +120,7 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
     }
     // What wedges by the associative law mostly slides out with a mechanism of which a path knows the forces.
     search.takesMechanisms = ofAssociative == CollapseStatus::unbounded;
-    followStarts();
+    starts.follow();
     // Pairs of motion from rest are mostly lower than those that had to be refined. In the plane a fall has
     // been tried with dilatancy; in space what follows may lead to a collapse.
     const auto isSettled = [&] { return Forces == 2 && search.found.fall.exists(); };
@@ -117,14 +140,14 @@ void searchPairs(CollapseSearch<Rows, Forces>& search, int starts, CollapseStatu
     if (isWithout() && !isLarge)
     {
         search.followsPaths = false;
-        followStarts();
+        starts.follow();
         search.followsPaths = true;
     }
     if (isWithout())
     {
         search.takesMechanisms = true;
         search.wedges = true;
-        followStarts();
+        starts.follow();
     }
 }
 

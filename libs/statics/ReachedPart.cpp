@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <queue>
+#include <utility>
 
 namespace drystone
 {
@@ -224,6 +225,25 @@ Eigen::VectorXd forcesOfWhole(const ConeProgram<Rows, Forces>& program, const Pr
     return forces;
 }
 
+/// The collapse of a part as one of the whole, with forces of all blocks. \param isAround the part and what
+/// is about it \param whole its work is added to \return whether there are such forces
+template<int Rows, int Forces>
+bool extendToWhole(const ConeProgram<Rows, Forces>& program, const ProgramPart<Rows, Forces>& part,
+                   const ConeSolution& ofPart, std::vector<char> isAround,
+                   CarriedDeadLoad<Rows, Forces>& carried, const InteriorPointSettings& settings,
+                   ConeSolution& whole)
+{
+    whole.status = SolveStatus::optimal;
+    whole.multiplier = ofPart.multiplier;
+    whole.displacement = Eigen::VectorXd::Zero(program.load.size());
+    putInto<Rows>(part.bodies, ofPart.displacement, whole.displacement);
+    whole.contactForce = Eigen::VectorXd::Zero(carried.contactForce.size());
+    putInto<Forces>(part.points, ofPart.contactForce, whole.contactForce);
+    whole.contactForce = forcesOfWhole(program, part, whole, std::move(isAround), carried, settings, whole);
+    whole.forceOfLoadAlone = carried.contactForce;
+    return whole.contactForce.size() > 0;
+}
+
 } // namespace
 
 template<int Rows, int Forces>
@@ -262,20 +282,12 @@ analyseReachedPart(const ConeProgram<Rows, Forces>& program, const InteriorPoint
         {
             continue;
         }
-        whole.status = SolveStatus::optimal;
-        whole.multiplier = solution.multiplier;
-        whole.displacement = Eigen::VectorXd::Zero(program.load.size());
-        putInto<Rows>(part.bodies, solution.displacement, whole.displacement);
-        whole.contactForce = Eigen::VectorXd::Zero(carried.contactForce.size());
-        putInto<Forces>(part.points, solution.contactForce, whole.contactForce);
-        whole.contactForce = forcesOfWhole(
-            program, part, whole, withNeighbours(program, firstOf(order, growth * bodies, program.bodies), 1),
-            carried, settings, whole);
-        if (whole.contactForce.size() == 0)
+        std::vector<char> isAround =
+            withNeighbours(program, firstOf(order, growth * bodies, program.bodies), 1);
+        if (!extendToWhole(program, part, solution, std::move(isAround), carried, settings, whole))
         {
             continue;
         }
-        whole.forceOfLoadAlone = carried.contactForce;
         LimitAnalysis result = completedAnalysis(program, whole, settings, kept);
         if (result.status == CollapseStatus::optimal && result.certificate.worst() <= settings.tolerance)
         {

@@ -120,6 +120,59 @@ ConeProgram<Rows, Forces> withGuidedSupport(ConeProgram<Rows, Forces> program)
     return program;
 }
 
+/// Whether the structure does not stand at all, in which gaps have no part. \param result then the proof;
+/// work is added to it
+template<int Rows, int Forces>
+bool isUnstable(const ConeProgram<Rows, Forces>& program, const InteriorPointSettings& settings,
+                SymbolicAnalysis& symbolic, LimitAnalysis& result)
+{
+    ConeProgram<Rows, Forces> dead = program;
+    dead.gap.resize(0);
+    const ConeSolution standing = solveInteriorPoint(dead, settings, &symbolic);
+    addWork(result, standing);
+    if (standing.status != SolveStatus::infeasible)
+    {
+        return false;
+    }
+    result.status = CollapseStatus::unstable;
+    result.certificate = certify(dead, standing);
+    result.mechanism = standing.displacement / standing.displacement.lpNorm<Eigen::Infinity>();
+    return true;
+}
+
+/// Whether the support is locked in, so that it can be pushed against its neighbours with any force. \param
+/// solution if not, improved where the push has found a better one \param result if so the proof; work is
+/// added to it
+template<int Rows, int Forces>
+bool isLockedIn(const ConeProgram<Rows, Forces>& program, const InteriorPointSettings& settings,
+                ConeSolution& solution, LimitAnalysis& result)
+{
+    const ConeProgram<Rows, Forces> guided = withGuidedSupport(program);
+    const ConeSolution pushed = solveInteriorPoint(guided, settings);
+    addWork(result, pushed);
+    if (pushed.status == SolveStatus::unbounded)
+    {
+        result.status = CollapseStatus::unbounded;
+        result.certificate = certify(guided, pushed);
+        result.contactForce = pushed.contactForce.head(Forces * program.points());
+        result.mechanism = Eigen::VectorXd::Zero(Rows * program.bodies);
+        return true;
+    }
+    if (pushed.status == SolveStatus::optimal)
+    {
+        // L'y = 1 is the unit movement.
+        ConeSolution settled = solution;
+        settled.status = SolveStatus::optimal;
+        settled.contactForce = pushed.contactForce.head(Forces * program.points());
+        settled.displacement = pushed.displacement.head(Rows * program.bodies);
+        if (certifyOptimal(program, settled).worst() <= settings.tolerance)
+        {
+            solution = std::move(settled);
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 template<int Rows, int Forces>
@@ -131,44 +184,11 @@ LimitAnalysis solveSettlement(const ConeProgram<Rows, Forces>& program, const In
     result.variables = Forces * program.points();
     addWork(result, solution);
     result.contactForce = Eigen::VectorXd::Zero(Forces * program.points());
-    if (solution.status != SolveStatus::optimal)
+    if (solution.status != SolveStatus::optimal
+        && (isUnstable(program, settings, symbolic, result)
+            || isLockedIn(program, settings, solution, result)))
     {
-        // Does it stand at all? Gaps have no part in that.
-        ConeProgram<Rows, Forces> dead = program;
-        dead.gap.resize(0);
-        const ConeSolution standing = solveInteriorPoint(dead, settings, &symbolic);
-        addWork(result, standing);
-        if (standing.status == SolveStatus::infeasible)
-        {
-            result.status = CollapseStatus::unstable;
-            result.certificate = certify(dead, standing);
-            result.mechanism = standing.displacement / standing.displacement.lpNorm<Eigen::Infinity>();
-            return result;
-        }
-        // Is the support locked in, so that it can be pushed against its neighbours with any force?
-        const ConeProgram<Rows, Forces> guided = withGuidedSupport(program);
-        const ConeSolution pushed = solveInteriorPoint(guided, settings);
-        addWork(result, pushed);
-        if (pushed.status == SolveStatus::unbounded)
-        {
-            result.status = CollapseStatus::unbounded;
-            result.certificate = certify(guided, pushed);
-            result.contactForce = pushed.contactForce.head(Forces * program.points());
-            result.mechanism = Eigen::VectorXd::Zero(Rows * program.bodies);
-            return result;
-        }
-        if (pushed.status == SolveStatus::optimal)
-        {
-            // L'y = 1 is the unit movement.
-            ConeSolution settled = solution;
-            settled.status = SolveStatus::optimal;
-            settled.contactForce = pushed.contactForce.head(Forces * program.points());
-            settled.displacement = pushed.displacement.head(Rows * program.bodies);
-            if (certifyOptimal(program, settled).worst() <= settings.tolerance)
-            {
-                solution = std::move(settled);
-            }
-        }
+        return result;
     }
     result.certificate = certify(program, solution);
     result.status =

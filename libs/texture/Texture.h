@@ -57,7 +57,7 @@ int dimensionsOf(const Dictionary& dictionary);
 /// The structure that a dictionary describes, including its supports. \param caseDirectory of the files that
 /// it names \throws FatalIOError for any fault in it, an empty texture and other `dimensions` than Dim
 /// included, before anything is made
-template<int Dim = 2>
-Assembly<Dim> makeStructure(const Dictionary& dictionary, const std::filesystem::path& caseDirectory = ".");
+template<int Dim>
+Assembly<Dim> makeStructure(const Dictionary& dictionary, const std::filesystem::path& caseDirectory);
 
 } // namespace drystone

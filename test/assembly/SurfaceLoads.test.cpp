@@ -1,9 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Loads on faces against hand calculations.
 #include "assembly/SurfaceLoads.h"
+#include "../MadeStructure.h"
 #include "assembly/FillFromAbove.h"
 #include "dictionary/Dictionary.h"
-#include "texture/Texture.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -322,8 +322,8 @@ TEST(FillFromAbove, ComesThroughNoJointToASoffit)
             "type arch; profile circular; radius 1; thickness 0.2; voussoirs {}; angle 180;", voussoirs);
         const auto structure = [](const std::string& texture)
         { return Dictionary::readString(texture + " supports { ground { type ground; } }"); };
-        const auto plane = makeStructure<2>(structure("dimensions 2; texture { " + arch + " depth 1; }"));
-        const auto space = makeStructure<3>(
+        const auto plane = madeStructure<2>(structure("dimensions 2; texture { " + arch + " depth 1; }"));
+        const auto space = madeStructure<3>(
             structure("dimensions 3; texture { type extrusion; of { " + arch + " depth 1; } thickness 1; }"));
         BackfillSettings<2> settings;
         settings.unitWeight = 18000;

@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The work before any solution: dictionaries, blocks, contact points.
+#include "../MadeStructure.h"
 #include "assembly/AssemblyFile.h"
 #include "contact/ContactPoint.h"
-#include "texture/Texture.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ void makeBlocks(benchmark::State& state)
     std::size_t blocks = 0;
     for (auto _ : state)
     {
-        benchmark::DoNotOptimize(blocks = makeStructure(dictionary).blocks.size());
+        benchmark::DoNotOptimize(blocks = madeStructure(dictionary).blocks.size());
     }
     state.counters["blocks"] = static_cast<double>(blocks);
 }
@@ -36,7 +36,7 @@ BENCHMARK(makeBlocks)->Arg(20)->Arg(80)->Arg(320)->Unit(benchmark::kMillisecond)
 
 void findContacts(benchmark::State& state)
 {
-    const Assembly<2> assembly = makeStructure(squareWall(state.range(0)));
+    const Assembly<2> assembly = madeStructure(squareWall(state.range(0)));
     std::size_t points = 0;
     for (auto _ : state)
     {
@@ -49,7 +49,7 @@ BENCHMARK(findContacts)->Arg(20)->Arg(80)->Arg(320)->Unit(benchmark::kMillisecon
 /// Bricks of a wall in space, one leaf: as many courses as the wall is bricks long.
 void findContactsInSpace(benchmark::State& state)
 {
-    const Assembly<3> assembly = makeStructure<3>(Dictionary::readString(
+    const Assembly<3> assembly = madeStructure<3>(Dictionary::readString(
         fmt::format("dimensions 3; texture {{ type walls; unit (0.25 0.125 0.065); bond running; courses "
                     "{0}; walls {{ front {{ "
                     "from (0 0); length {0}; }} }} }} supports {{ ground {{ type ground; }} }}",
@@ -66,7 +66,7 @@ BENCHMARK(findContactsInSpace)->Arg(20)->Arg(80)->Arg(316)->Unit(benchmark::kMil
 
 void readBlocks(benchmark::State& state)
 {
-    const std::string text = assemblyText(makeStructure(squareWall(state.range(0))));
+    const std::string text = assemblyText(madeStructure(squareWall(state.range(0))));
     for (auto _ : state)
     {
         benchmark::DoNotOptimize(Dictionary::readString(text).entries().size());

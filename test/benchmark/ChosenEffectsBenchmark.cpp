@@ -10,6 +10,7 @@
 /// motions at the end [m], the shares of the blocks that a step simulated and of the bodies that these were.
 ///
 ///     build/test/ChosenEffectsBenchmark --benchmark_out=chosenEffects.csv --benchmark_out_format=csv
+#include "../MadeStructure.h"
 #include "../dynamics/SceneGravity.h"
 #include "../statics/LocalLoads.h"
 #include "contact/Equilibrium.h"
@@ -20,7 +21,6 @@
 #include "effects/MassDamping.h"
 #include "runControl/Application.h"
 #include "statics/LimitAnalysis.h"
-#include "texture/Texture.h"
 #include "timeSeries/GroundAcceleration.h"
 #include "timeSeries/Record.h"
 
@@ -128,7 +128,7 @@ void compare(benchmark::State& state, DynamicCase<Dim> scene, double timeStep, i
 
 Assembly<2> paperWall(int number)
 {
-    return makeStructure(Dictionary::readFile(fmt::format(
+    return madeStructure(Dictionary::readFile(fmt::format(
         DRYSTONE_TUTORIALS "/limitAnalysis/masonryPanels/wall{}/system/blockTextureDict", number)));
 }
 
@@ -356,7 +356,7 @@ void fallingCorner(benchmark::State& state)
 {
     const auto corner = static_cast<int>(state.range(0));
     const auto size = static_cast<int>(state.range(1));
-    Assembly<2> assembly = makeStructure(Dictionary::readString(fmt::format(
+    Assembly<2> assembly = madeStructure(Dictionary::readString(fmt::format(
         "texture {{ type runningBond; unit (0.4 0.175); length {0}; courses {0}; firstCourse full;\n"
         "openings ( {{ from ({1} {2}); to ({0} {3}); }} ); }}\n"
         "supports {{ ground {{ type ground; segment 0.5; }} }}\n",

@@ -5,6 +5,7 @@
 /// effect where it is absent is in results/README.md, because it requires a second build.
 ///
 ///     build/test/EffectsBenchmark --benchmark_out=effects.csv --benchmark_out_format=csv
+#include "../MadeStructure.h"
 #include "Peers.h"
 
 #include "dynamics/Advance.h"
@@ -14,7 +15,6 @@
 #include "effects/JointElasticity.h"
 #include "effects/MassDamping.h"
 #include "effects/SupportMotion.h"
-#include "texture/Texture.h"
 
 #include <benchmark/benchmark.h>
 
@@ -32,7 +32,7 @@ constexpr int steps = 100;
 DynamicCase<2> wall()
 {
     DynamicCase<2> scene;
-    Assembly<2> assembly = makeStructure(Dictionary::readFile(
+    Assembly<2> assembly = madeStructure(Dictionary::readFile(
         DRYSTONE_TUTORIALS "/contactDynamics/masonryPanels/wall1/system/blockTextureDict"));
     const std::vector<double> densities(assembly.blocks.size(), 1000 / weight);
     setStructure(scene, std::move(assembly), densities);

@@ -3,11 +3,11 @@
 /// written directly and as VTK's writer forms them, and the frame with its files and lists.
 ///
 ///     build/test/FramesBenchmark
+#include "../MadeStructure.h"
 #include "functionObjects/LimitAnalysisResults.h"
 #include "io/Frames.h"
 #include "io/VtkLibrary.h"
 #include "io/VtkSeries.h"
-#include "texture/Texture.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ Scene wallOfThePaper(int number)
     const std::filesystem::path wall =
         std::filesystem::path(DRYSTONE_TUTORIALS) / fmt::format("limitAnalysis/masonryPanels/wall{}", number);
     const LimitAnalysisCase<2> structure = readLimitAnalysisCase<2>(
-        wall, makeStructure<2>(Dictionary::readFile(wall / "system/blockTextureDict")));
+        wall, madeStructure<2>(Dictionary::readFile(wall / "system/blockTextureDict")));
     Scene scene{structure.assembly, structure.points, {}, {}};
     for (std::size_t i = 0; i < scene.points.size(); ++i)
     {

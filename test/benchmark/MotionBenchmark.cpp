@@ -7,6 +7,7 @@
 /// LimitAnalysisBenchmark: the Schur system of a step has the pattern of that of limit analysis.
 ///
 ///     build/test/MotionBenchmark --benchmark_out=results.csv --benchmark_out_format=csv
+#include "../MadeStructure.h"
 #include "CholmodUnit.h"
 #include "Peers.h"
 #include "Walls.h"
@@ -215,7 +216,7 @@ void rubble(benchmark::State& state)
 {
     const auto& wall = *std::find_if(rubbleWalls.begin(), rubbleWalls.end(),
                                      [&](const RubbleWall& own) { return own.stones == state.range(0); });
-    const Assembly<2> assembly = makeStructure(Dictionary::readString(
+    const Assembly<2> assembly = madeStructure(Dictionary::readString(
         fmt::format("texture {{ type rubble; size (5 3); thickness 0.5; stones {}; seed {}; }} "
                     "supports {{ ground {{ type ground; }} }}",
                     wall.stones, wall.seed)));

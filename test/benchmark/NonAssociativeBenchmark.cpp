@@ -3,11 +3,11 @@
 /// six walls of the paper with more and more paths, a house and a dome that are pushed in five directions.
 ///
 ///     build/test/NonAssociativeBenchmark --benchmark_out=nonAssociative.csv --benchmark_out_format=csv
+#include "../MadeStructure.h"
 #include "coulombWalls/RandomWalls.h"
 #include "dictionary/Dictionary.h"
 #include "space/SpaceStructures.h"
 #include "statics/NonAssociative.h"
-#include "texture/Texture.h"
 
 #include <benchmark/benchmark.h>
 
@@ -99,7 +99,7 @@ void buildingInSpace(benchmark::State& state)
     state.SetLabel(isHouse ? "house with door" : "dome with oculus");
     const Dictionary dictionary = Dictionary::readFile(std::string(DRYSTONE_SPACE_REFERENCES) + "/"
                                                        + (isHouse ? "houseWithDoor" : "domeWithOculus"));
-    const Assembly<3> assembly = makeStructure<3>(dictionary.subDict("blockTextureDict"));
+    const Assembly<3> assembly = madeStructure<3>(dictionary.subDict("blockTextureDict"));
     const auto points = findContactPoints(assembly);
     const double friction = 0.01 * static_cast<double>(state.range(1));
     for (auto _ : state)

@@ -5,6 +5,7 @@
 /// that a solver does not finish in 300 s has NaN for a certificate.
 ///
 ///     build/test/SpaceBenchmark --benchmark_out=space.csv --benchmark_out_format=csv
+#include "../MadeStructure.h"
 #include "Context.h"
 #include "Peers.h"
 
@@ -12,7 +13,6 @@
 #include "conic/InteriorPoint.h"
 #include "dictionary/Dictionary.h"
 #include "statics/LimitAnalysis.h"
-#include "texture/Texture.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ namespace
 
 Assembly<3> structure(const std::string& texture)
 {
-    return makeStructure<3>(Dictionary::readString("dimensions 3; texture { " + texture
+    return madeStructure<3>(Dictionary::readString("dimensions 3; texture { " + texture
                                                        + " } supports { ground { type ground; } }",
                                                    "blockTextureDict"));
 }

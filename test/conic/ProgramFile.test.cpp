@@ -152,44 +152,44 @@ Fault faultAfter(const std::string& old, const std::string& replacement)
     return fault;
 }
 
-TEST(ProgramFile, TellsFaultsWithTheirLine)
+/// A replacement in that file, and what is to be said of it.
+struct FaultCase
 {
-    const std::string text = programText(planeStep(evenTower(2), 0.1));
-    const auto lineOf = [&text](const std::string& part)
-    { return 1 + static_cast<int>(std::count(text.begin(), text.begin() + long(text.find(part)), '\n')); };
+    std::string old;
+    std::string replacement;
+    std::string message;
+    std::string lineOf = ""; ///< text in the line that is named; empty: not looked at
+};
 
-    Fault fault = faultAfter("dimensions      2", "dimensions      4");
-    EXPECT_THAT(fault.message, HasSubstr("dimensions 4 is neither 2 nor 3"));
-    EXPECT_EQ(fault.line, lineOf("dimensions"));
-    fault = faultAfter("(1 0 (", "(1 2 (");
-    EXPECT_THAT(fault.message, HasSubstr("Contact point 2: there is no body 2"));
-    EXPECT_EQ(fault.line, lineOf("(1 0 ("));
-    fault = faultAfter("(1 0 (", "(1 1 (");
-    EXPECT_THAT(fault.message, HasSubstr("cannot touch itself"));
-    fault = faultAfter("(1 0 (", "(-1 -1 (");
-    EXPECT_THAT(fault.message, HasSubstr("both of its bodies are -1"));
-    fault = faultAfter("(1 0 (", "(1 0 (7 ");
-    EXPECT_THAT(fault.message, HasSubstr("7 and 6 numbers, where 3 x 2"));
-    fault = faultAfter("(1 0 (0 -1 ", "(1 0 (0 -2 ");
-    EXPECT_THAT(fault.message, HasSubstr("Contact point 2: what it does to its two bodies must be opposite"));
-    fault = faultAfter("0.65", "-0.65");
-    EXPECT_THAT(fault.message, HasSubstr("friction -0.65 of contact point 0 is below 0"));
-    EXPECT_EQ(fault.line, lineOf("friction"));
-    fault = faultAfter("bodies          2", "bodies          3");
-    EXPECT_THAT(fault.message, HasSubstr("load has 6 elements, but there are 9"));
-    EXPECT_EQ(fault.line, lineOf("load"));
-    fault = faultAfter("gap ", "liveLoad 6(0 0 0 0 0 0);\ngap ");
-    EXPECT_THAT(fault.message, HasSubstr("live load is zero"));
-    fault = faultAfter("gap ", "gaps ");
-    EXPECT_THAT(fault.message, HasSubstr("Unknown key gaps. Did you mean gap?"));
-    EXPECT_EQ(fault.line, lineOf("gap"));
-    fault = faultAfter("load ", "laod ");
-    EXPECT_THAT(fault.message, HasSubstr("load"));
-    fault = faultAfter("(250000 0 0", "(250000 1 0");
-    EXPECT_THAT(fault.message, HasSubstr("inertia of body 0 is not symmetric"));
-    EXPECT_EQ(fault.line, lineOf("(250000 0 0"));
-    fault = faultAfter("(250000 0 0", "(-250000 0 0");
-    EXPECT_THAT(fault.message, HasSubstr("not symmetric and positive definite"));
+TEST(ProgramFile, FaultsAreReportedWithTheirLine)
+{
+    const std::vector<FaultCase> cases{
+        {"dimensions      2", "dimensions      4", "dimensions 4 is neither 2 nor 3", "dimensions"},
+        {"(1 0 (", "(1 2 (", "Contact point 2: there is no body 2", "(1 0 ("},
+        {"(1 0 (", "(1 1 (", "cannot touch itself"},
+        {"(1 0 (", "(-1 -1 (", "both of its bodies are -1"},
+        {"(1 0 (", "(1 0 (7 ", "7 and 6 numbers, where 3 x 2"},
+        {"(1 0 (0 -1 ", "(1 0 (0 -2 ", "Contact point 2: what it does to its two bodies must be opposite"},
+        {"0.65", "-0.65", "friction -0.65 of contact point 0 is below 0", "friction"},
+        {"bodies          2", "bodies          3", "load has 6 elements, but there are 9", "load"},
+        {"gap ", "liveLoad 6(0 0 0 0 0 0);\ngap ", "live load is zero"},
+        {"gap ", "gaps ", "Unknown key gaps. Did you mean gap?", "gap"},
+        {"load ", "laod ", "load"},
+        {"(250000 0 0", "(250000 1 0", "inertia of body 0 is not symmetric", "(250000 0 0"},
+        {"(250000 0 0", "(-250000 0 0", "not symmetric and positive definite"},
+    };
+    const std::string text = programText(planeStep(evenTower(2), 0.1));
+    for (const FaultCase& one : cases)
+    {
+        SCOPED_TRACE(one.old + " becomes " + one.replacement);
+        const Fault fault = faultAfter(one.old, one.replacement);
+        EXPECT_THAT(fault.message, HasSubstr(one.message));
+        if (!one.lineOf.empty())
+        {
+            const auto place = static_cast<std::ptrdiff_t>(text.find(one.lineOf));
+            EXPECT_EQ(fault.line, 1 + std::count(text.begin(), text.begin() + place, '\n'));
+        }
+    }
 }
 
 TEST(ProgramFile, IsWrittenWhenTheSolverIsAskedTo)

@@ -57,3 +57,13 @@ TEST(Json, AKeyThatIsGivenTwiceInAnObjectIsAFault)
     EXPECT_EQ(faultOf("{\"a\": 1,\n \"a\": 2}", 0), "a is given twice in the outermost object");
     EXPECT_EQ(faultOf("{\"n\": {\"b\": [1, {\"x\": 2, \"x\": 2}]}}", 0), "x is given twice in n/b/1");
 }
+
+TEST(Json, ATextIsWrittenAsItIsReadAgain)
+{
+    EXPECT_EQ(jsonText("north"), "\"north\"");
+    for (const std::string text : {"left\\new", "a \"quoted\" name", "tab\tand\nline", "Gew\u00f6lbe"})
+    {
+        EXPECT_EQ(*parseJson(jsonText(text)).asText(), text);
+    }
+    EXPECT_EQ(jsonText("Gew\xf6lbe"), "\"Gew\ufffdlbe\"");
+}

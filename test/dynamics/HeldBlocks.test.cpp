@@ -1,12 +1,12 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Walls of which a part moves: the others are held by proof, wake up when it asks for them, and the motion
 /// is that of all blocks together.
+#include "../MadeStructure.h"
 #include "Scenes.h"
 
 #include "dynamics/HeldBlocks.h"
 #include "dynamics/VerifiedStep.h"
 #include "effects/JointBonds.h"
-#include "texture/Texture.h"
 #include "timeSeries/GroundAcceleration.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ constexpr double stepOfHeldBlocks = 0.005;
 /// A wall of 12 x 12 units with a stone that overhangs its right end, by more than half where it is to fall.
 DynamicCase<2> wallWithStone(double overhang, FlowRule flowRule = FlowRule::associative)
 {
-    Assembly<2> assembly = makeStructure(Dictionary::readString(
+    Assembly<2> assembly = madeStructure(Dictionary::readString(
         "texture { type runningBond; unit (0.4 0.175); length 12; courses 12; firstCourse full; }\n"
         "supports { ground { type ground; segment 0.5; } }\n"));
     assembly.blocks.push_back(rectangle(12 * 0.4 - 0.4 + overhang, 12 * 0.175, 0.4, 0.2));
@@ -84,7 +84,7 @@ TEST(HeldBlocks, ACornerThatFallsIsSimulatedWithItsSurroundingsOnly)
 {
     constexpr int steps = 12;
     DynamicCase<2> scene =
-        sceneOf(makeStructure(Dictionary::readString(
+        sceneOf(madeStructure(Dictionary::readString(
                     "texture { type runningBond; unit (0.4 0.175); length 24; courses 24; firstCourse full;\n"
                     "openings ( { from (20 18); to (24 20); } ); }\n"
                     "supports { ground { type ground; segment 0.5; } }\n")),
@@ -237,7 +237,7 @@ TEST(HeldBlocks, AWallThatBreaksTakesHardlyMoreFactorisationsThanWithEverythingO
     std::vector<long> factorisations;
     for (const EffectSelection selection : {EffectSelection::asGiven, EffectSelection::automatic})
     {
-        DynamicCase<2> scene = sceneOf(makeStructure(Dictionary::readFile(
+        DynamicCase<2> scene = sceneOf(madeStructure(Dictionary::readFile(
                                            std::string(DRYSTONE_TUTORIALS)
                                            + "/limitAnalysis/masonryPanels/wall2/system/blockTextureDict")),
                                        {.mu = 0.65, .flowRule = FlowRule::associative, .tolerance = 1e-9});

@@ -1,10 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Impacts create no energy, whatever the restitution, the friction and the way blocks meet.
+#include "../MadeStructure.h"
 #include "Scenes.h"
 
 #include "dynamics/Impact.h"
 #include "dynamics/Step.h"
-#include "texture/Texture.h"
 
 #include <gtest/gtest.h>
 
@@ -73,7 +73,7 @@ TEST(Impact, ABlockThatStrikesObliquelyWithFullRestitutionGainsNoEnergy)
 TEST(Impact, TheLowestCourseThrownFromUnderAWallIsSolved)
 {
     const DynamicCase<2> scene = scenes::sceneOf(
-        makeStructure(Dictionary::readString(
+        madeStructure(Dictionary::readString(
             "dimensions 2; texture { type courses; unit (0.4 0.2); thickness 0.3;"
             " rows ((0.5 1 0.5) (1 -0.5 1) (-0.75 1 1)); } supports { ground { type ground; } }")),
         {.theta = 0.5, .mu = 1.2, .flowRule = FlowRule::associative, .tolerance = 1e-9, .density = 2000});

@@ -1,11 +1,11 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The six walls of the paper on a ground that accelerates steadily: they stand below their collapse
 /// multiplier and move above it, and what must hold while they fall holds.
+#include "../MadeStructure.h"
 #include "../SquareWall.h"
 #include "Scenes.h"
 
 #include "contact/Penetration.h"
-#include "texture/Texture.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ DynamicCase<2> wall(int number, double share, const scenes::Settings& settings)
 {
     const std::string file = std::string(DRYSTONE_TUTORIALS) + "/limitAnalysis/masonryPanels/wall"
                              + std::to_string(number) + "/system/blockTextureDict";
-    DynamicCase<2> scene = scenes::sceneOf(makeStructure(Dictionary::readFile(file)), settings);
+    DynamicCase<2> scene = scenes::sceneOf(madeStructure(Dictionary::readFile(file)), settings);
     scenes::shake(scene, std::make_shared<ConstantAcceleration>(
                              -share * multipliers[static_cast<std::size_t>(number - 1)] * g));
     return scene;
@@ -412,7 +412,7 @@ TEST(WallByCoulombsLaw, IsFollowedThroughItsCollapseWithoutPrograms)
 TEST(RubbleByCoulombsLaw, IsFollowedAlsoWhereStagesDoNotArrive)
 {
     DynamicCase<2> scene = scenes::sceneOf(
-        makeStructure(Dictionary::readString("texture { type rubble; size (5 3); thickness 0.5; stones 100; "
+        madeStructure(Dictionary::readString("texture { type rubble; size (5 3); thickness 0.5; stones 100; "
                                              "seed 7; } supports { ground { type ground; } }")),
         {.mu = 0.7, .flowRule = FlowRule::nonAssociative, .tolerance = 1e-9, .density = 2000});
     scenes::shake(scene, std::make_shared<ConstantAcceleration>(-3));

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Steps at rest that are taken with a proof: the loads of which there is one are those that limit analysis
 /// says, nothing else is left out, and what follows is what follows with everything on.
+#include "../MadeStructure.h"
 #include "RandomWalls.h"
 #include "Scenes.h"
 
@@ -10,7 +11,6 @@
 #include "effects/JointElasticity.h"
 #include "effects/MassDamping.h"
 #include "effects/SupportMotion.h"
-#include "texture/Texture.h"
 #include "timeSeries/GroundAcceleration.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ constexpr double multiplier = 0.642859; // of the paper's wall 1, pushed to the 
 DynamicCase<2> paperWall(const Settings& settings = {.mu = 0.65, .flowRule = FlowRule::associative})
 {
     DynamicCase<2> scene = sceneOf(
-        makeStructure(Dictionary::readFile(std::string(DRYSTONE_TUTORIALS)
+        madeStructure(Dictionary::readFile(std::string(DRYSTONE_TUTORIALS)
                                            + "/limitAnalysis/masonryPanels/wall1/system/blockTextureDict")),
         settings);
     scene.schemes.effects.selection = EffectSelection::automatic;

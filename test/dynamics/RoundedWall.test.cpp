@@ -1,9 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// A wall whose coordinates were turned and rounded stands, and moves, at the multiplier that it has
 /// otherwise.
+#include "../MadeStructure.h"
 #include "assembly/AssemblyFile.h"
 #include "dynamics/Advance.h"
-#include "texture/Texture.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ DynamicCase<2> roundedWall(double angle, int digits, double share)
     const double sine = std::sin(angle);
     const std::string file =
         std::string(DRYSTONE_TUTORIALS) + "/limitAnalysis/masonryPanels/wall1/system/blockTextureDict";
-    Assembly<2> assembly = makeStructure(Dictionary::readFile(file));
+    Assembly<2> assembly = madeStructure(Dictionary::readFile(file));
     for (Block<2>& block : assembly.blocks)
     {
         for (Vector<2>& corner : block.outline)

@@ -2,9 +2,9 @@
 /// Motion in space against numbers that others computed in closed form or to 13 digits: sliding that turns
 /// and spins, rocking on a corner, a pulse along a diagonal. Steps of first order are extrapolated from two
 /// lengths.
+#include "../MadeStructure.h"
 #include "SpaceScenes.h"
 #include "dictionary/Dictionary.h"
-#include "texture/Texture.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -251,7 +251,7 @@ TEST(SpaceMotionReferences, APulseAlongTheDiagonalRocksAndOverturns)
 // multiplier, 0.207494721, the front leaves its return. Between the two it rests as it stands.
 TEST(SpaceMotionReferences, AnLWallMovesByCoulombsLawWhereLimitAnalysisSaysSo)
 {
-    const Assembly<3> assembly = makeStructure<3>(
+    const Assembly<3> assembly = madeStructure<3>(
         Dictionary::readString("dimensions 3; supports { ground { type ground; } }\n"
                                "texture { type walls; unit (0.4 0.2 0.2); bond running; courses 6;\n"
                                "walls { front { from (0 0); length 3; }\n"

@@ -1,13 +1,13 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The six walls of the paper extruded to a thickness: by Coulomb's law they fall in space as in the plane,
 /// whichever way they stand.
+#include "../MadeStructure.h"
 #include "Scenes.h"
 #include "SpaceScenes.h"
 
 #include "../space/SpaceStructures.h"
 #include "../statics/LocalLoads.h"
 
-#include "texture/Texture.h"
 #include "texture/space/Extrusion.h"
 
 #include <Eigen/Geometry>
@@ -27,7 +27,7 @@ constexpr std::array<double, 6> multipliers{0.642859, 0.579999, 0.403694, 0.3319
 
 Assembly<2> paperWall(int number)
 {
-    return makeStructure(Dictionary::readFile(std::string(DRYSTONE_TUTORIALS)
+    return madeStructure(Dictionary::readFile(std::string(DRYSTONE_TUTORIALS)
                                               + "/limitAnalysis/masonryPanels/wall" + std::to_string(number)
                                               + "/system/blockTextureDict"));
 }
@@ -230,7 +230,7 @@ TEST(HouseInSpace, EndsAStepWhereProgramsNoLongerDiffer)
 {
     constexpr int steps = 12;
     DynamicCase<3> scene = spaceScenes::sceneOf(
-        makeStructure<3>(Dictionary::readString(
+        madeStructure<3>(Dictionary::readString(
             "dimensions 3;\n"
             "texture { type walls; unit (0.4 0.2 0.2); bond running; courses 6; walls {\n"
             "front { from (0 0); length 4; }\n"
@@ -264,7 +264,7 @@ TEST(HouseInSpace, EndsAStepWhereProgramsNoLongerDiffer)
 TEST(HouseInSpace, LeavesWorkForProgramsWherePathsDoNotLeaveTheirStart)
 {
     DynamicCase<3> scene = spaceScenes::sceneOf(
-        makeStructure<3>(Dictionary::readString(
+        madeStructure<3>(Dictionary::readString(
             "dimensions 3;\n"
             "texture { type walls; unit (0.4 0.2 0.2); bond english; courses 10; walls {\n"
             "front { from (0 0); length 10; }\n"

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Any text, read as system/blockTextureDict: rejected with a FatalError, or a structure whose file reads
 /// back.
+#include "../MadeStructure.h"
 #include "InputFile.h"
 
 #include "assembly/AssemblyFile.h"
@@ -18,8 +19,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         {
             const std::string_view text(reinterpret_cast<const char*>(data), size);
             const Dictionary dictionary = Dictionary::readString(text, "fuzz");
-            const bool isEmpty = dimensionsOf(dictionary) == 3 ? makeStructure<3>(dictionary).blocks.empty()
-                                                               : makeStructure<2>(dictionary).blocks.empty();
+            const bool isEmpty = dimensionsOf(dictionary) == 3 ? madeStructure<3>(dictionary).blocks.empty()
+                                                               : madeStructure<2>(dictionary).blocks.empty();
             if (isEmpty)
             {
                 std::abort();

@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// From the solids of a file to blocks: welded, parted, turned, merged and made plane.
 #include "import/SolidBlocks.h"
+#include "../MadeStructure.h"
 
 #include "ImportTesting.h"
 #include "contact/ContactPoint.h"
@@ -10,7 +11,6 @@
 #include "import/space/Mesh.h"
 #include "import/space/PlaneFaces.h"
 #include "import/space/Weld.h"
-#include "texture/Texture.h"
 #include "texture/space/Rubble.h"
 
 #include <Eigen/Geometry>
@@ -72,7 +72,7 @@ Solids soupOf(const std::vector<Polyhedron>& shapes, unsigned seed)
 
 Assembly<3> structure(const std::string& texture)
 {
-    return makeStructure<3>(Dictionary::readString("dimensions 3; texture { " + texture + " }", "test"));
+    return madeStructure<3>(Dictionary::readString("dimensions 3; texture { " + texture + " }", "test"));
 }
 
 std::vector<Polyhedron> shapesOf(const Assembly<3>& assembly)

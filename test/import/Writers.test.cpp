@@ -2,6 +2,7 @@
 /// Writers: what they write says of each block what the assembly says, as built and moved, of the plane and
 /// of space. Texts that Drystone reads are read by its readers, others by what their formats define.
 #include "import/export/Writers.h"
+#include "../MadeStructure.h"
 
 #include "ImportTesting.h"
 #include "contact/ContactPoint.h"
@@ -10,7 +11,6 @@
 #include "import/Drawing.h"
 #include "import/SolidBlocks.h"
 #include "import/export/Unwritten.h"
-#include "texture/Texture.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ namespace
 template<int Dim>
 Assembly<Dim> structure(const std::string& texture, const std::string& supports)
 {
-    return makeStructure<Dim>(Dictionary::readString(
+    return madeStructure<Dim>(Dictionary::readString(
         fmt::format("dimensions {}; texture {{ {} }} supports {{ {} }}", Dim, texture, supports), "test"));
 }
 

@@ -255,11 +255,9 @@ TEST(VtkFile, NamesMayHaveWhatXmlReserves)
 }
 
 // In coordinates of a map single precision leaves half a metre of a wall.
-TEST(VtkFile, PlacesFarFromTheOriginAreTold)
+TEST(VtkFile, PlacesFarFromTheOriginKeepTheirDigits)
 {
     PolyData<2> data = contactsOf<2>(6);
-    EXPECT_FALSE(areFarFromOrigin<2>(data.points));
-    EXPECT_FALSE(areFarFromOrigin<2>({}));
     const Vector<2> map(-512345.25, 4649876.5);
     for (Vector<2>& place : data.points)
     {

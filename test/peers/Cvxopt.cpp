@@ -1,11 +1,17 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// CVXOPT, run in Python on a program file.
+/// CVXOPT, run in Python on program files, one process for all of them.
 #include "Peers.h"
 #include "Subprocess.h"
 
 #include <fmt/format.h>
 
+#include <sys/stat.h>
+
+#include <cstdio>
 #include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <utility>
 
 namespace drystone
 {
@@ -25,6 +31,73 @@ std::string pythonWithCvxopt()
     return {};
 }
 
+/// The process, started with the first program.
+class CvxoptProcess
+{
+public:
+    explicit CvxoptProcess(std::string interpreter) : python(std::move(interpreter)) {}
+    ~CvxoptProcess() { stop(); }
+    CvxoptProcess(const CvxoptProcess&) = delete;
+    CvxoptProcess& operator=(const CvxoptProcess&) = delete;
+
+    /// Waits until the solution of a program is written, if there is one. \return its file
+    std::filesystem::path solve(const AnyConeProgram& any, double tolerance);
+
+private:
+    void start();
+    void stop();
+
+    std::string python;
+    Scratch scratch;
+    std::FILE* requests = nullptr;
+    std::ifstream answers;
+};
+
+void CvxoptProcess::start()
+{
+    const std::filesystem::path pipe = scratch.folder / "answers";
+    if (mkfifo(pipe.c_str(), S_IRUSR | S_IWUSR) != 0)
+    {
+        throw std::runtime_error("no pipe can be made in " + scratch.folder.string());
+    }
+    // The shell opens the pipe, so that it is open at both ends whatever becomes of Python.
+    requests = popen(fmt::format("exec {} '{}' > '{}' 2> /dev/null", python,
+                                 DRYSTONE_PEERS "/solveWithCvxopt.py", pipe.string())
+                         .c_str(),
+                     "w");
+    answers.open(pipe);
+}
+
+void CvxoptProcess::stop()
+{
+    if (requests)
+    {
+        pclose(requests);
+    }
+    requests = nullptr;
+    answers = {};
+    std::filesystem::remove(scratch.folder / "answers");
+}
+
+std::filesystem::path CvxoptProcess::solve(const AnyConeProgram& any, double tolerance)
+{
+    if (!requests)
+    {
+        start();
+    }
+    const std::filesystem::path solution = scratch.folder / "solution";
+    std::filesystem::remove(solution);
+    std::visit([&](const auto& program) { writeProgram(scratch.folder / "program", program); }, any);
+    fmt::print(requests, "{} {} {}\n", (scratch.folder / "program").string(), solution.string(), tolerance);
+    std::fflush(requests);
+    std::string answer;
+    if (!std::getline(answers, answer)) // it has crashed: the next program gets another
+    {
+        stop();
+    }
+    return solution;
+}
+
 } // namespace
 
 std::optional<Peer> cvxopt()
@@ -34,13 +107,10 @@ std::optional<Peer> cvxopt()
     {
         return {};
     }
-    const auto solve = [python](const AnyConeProgram& any, double tolerance) -> std::optional<PeerAnswer>
+    const auto solve = [process = std::make_shared<CvxoptProcess>(python)](
+                           const AnyConeProgram& any, double tolerance) -> std::optional<PeerAnswer>
     {
-        const Scratch scratch;
-        std::visit([&](const auto& program) { writeProgram(scratch.folder / "program", program); }, any);
-        runProgram(fmt::format("timeout 300 {} '{}' '{}/program' '{}/solution' {}", python,
-                               DRYSTONE_PEERS "/solveWithCvxopt.py", scratch.folder.string(),
-                               scratch.folder.string(), tolerance));
+        std::ifstream stream(process->solve(any, tolerance));
         PeerAnswer answer;
         ConeSolution& solution = answer.solution;
         std::visit(
@@ -51,7 +121,6 @@ std::optional<Peer> cvxopt()
                 solution.displacement.setZero(program.load.size());
             },
             any);
-        std::ifstream stream(scratch.folder / "solution");
         stream >> answer.seconds >> solution.iterations >> solution.multiplier;
         for (Eigen::VectorXd* vector : {&solution.contactForce, &solution.displacement})
         {

@@ -3,12 +3,12 @@
 /// include it link texture, statics and dynamics.
 #pragma once
 
+#include "../MadeStructure.h"
 #include "assembly/Loads.h"
 #include "assembly/Materials.h"
 #include "dynamics/DynamicState.h"
 #include "effects/Structure.h"
 #include "statics/LimitAnalysis.h"
-#include "texture/Texture.h"
 
 #include "../SquareWall.h"
 
@@ -20,7 +20,7 @@ namespace drystone
 /// Blocks of wall 1 to 6 of the paper.
 inline Assembly<2> paperWall(int number)
 {
-    return makeStructure(Dictionary::readFile(fmt::format(
+    return madeStructure(Dictionary::readFile(fmt::format(
         DRYSTONE_TUTORIALS "/limitAnalysis/masonryPanels/wall{}/system/blockTextureDict", number)));
 }
 

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 # Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-"""Solves a cone program, as libs/conic/ProgramFile.h describes the file, with CVXOPT's coneqp.
+"""Solves cone programs, as libs/conic/ProgramFile.h describes their files, with CVXOPT's coneqp: one for each line
 
-    solveWithCvxopt.py PROGRAM SOLUTION TOLERANCE
+    PROGRAM SOLUTION TOLERANCE
 
-SOLUTION gets CPU seconds, iterations, alpha, the contact forces and the displacements, one after the other.
+of standard input, answered by a line, `solved` or a reason why it was not. SOLUTION gets CPU seconds, iterations,
+alpha, the contact forces and the displacements, one after the other.
 """
 import re
+import signal
 import sys
 import time
 
@@ -101,13 +103,11 @@ def solve_in_forces(program, tolerance):
             [-entry / scale for entry in answer["y"]])
 
 
-def main():
-    with open(sys.argv[1], encoding="utf-8") as file:
-        program = parse(file.read())
-    tolerance = float(sys.argv[3])
-    if "strength" in program and "liveLoad" in program and "inertia" not in program and "gap" not in program:
-        write(*solve_in_forces(program, tolerance))
-        return
+def solve_in_displacements(program, tolerance):
+    """Where the matrix that CVXOPT factorises is as sparse as the blocks touch:
+      minimise 1/2 y'My - f'y   subject to   z = g - B'y in K,   L'y = 1
+    with multipliers s in K of z and -alpha of L'y = 1. c = T s: in the plane the two edges of the cone, in space a
+    second-order cone. Loads are over the largest, inertia over its largest."""
     forces = int(program["dimensions"])
     rows = 3 if forces == 2 else 6
     bodies = int(program["bodies"])
@@ -116,10 +116,6 @@ def main():
     load = program["load"]
     live = program.get("liveLoad")
     gap = program.get("gap", [0.0] * (forces * points))
-    # In displacements, where the matrix that CVXOPT factorises is as sparse as the blocks touch:
-    #   minimise 1/2 y'My - f'y   subject to   z = g - B'y in K,   L'y = 1
-    # with multipliers s in K of z and -alpha of L'y = 1. c = T s: in the plane the two edges of the cone, in space
-    # a second-order cone. Loads are over the largest, inertia over its largest.
     scale = max(map(abs, load + (live or []))) or 1.0
     heaviest = max((abs(number) for block in program.get("inertia", []) for number in block), default=1.0)
     inertia = program.get("inertia")
@@ -166,14 +162,34 @@ def main():
         force += [scale * sum(cone[k][column] * s[column] for column in range(forces)) for k in range(forces)]
     # L over `scale` does unit work on y, so L itself does `scale`.
     y = [entry * length / (scale if live else 1.0) for entry in answer["x"]]
-    write(seconds, answer["iterations"], -answer["y"][0] if live else 0.0, force, y)
+    return seconds, answer["iterations"], -answer["y"][0] if live else 0.0, force, y
 
 
-def write(seconds, iterations, alpha, force, displacement):
-    with open(sys.argv[2], "w", encoding="utf-8") as file:
+def solve(program_file, solution_file, tolerance):
+    with open(program_file, encoding="utf-8") as file:
+        program = parse(file.read())
+    in_forces = "strength" in program and "liveLoad" in program and "inertia" not in program and "gap" not in program
+    method = solve_in_forces if in_forces else solve_in_displacements
+    seconds, iterations, alpha, force, displacement = method(program, tolerance)
+    with open(solution_file, "w", encoding="utf-8") as file:
         print(seconds, iterations, alpha, file=file)
         for entry in force + displacement:
             print(repr(float(entry)), file=file)
 
 
-main()
+def give_up(*_):
+    raise TimeoutError(f"no answer within {longest} s")
+
+
+longest = 300
+signal.signal(signal.SIGALRM, give_up)
+for line in sys.stdin:
+    program_file, solution_file, tolerance = line.split()
+    signal.alarm(longest)
+    try:
+        solve(program_file, solution_file, float(tolerance))
+        answer = "solved"
+    except Exception as error:  # CVXOPT ends some programs so: the next may be another
+        answer = " ".join(repr(error).split())
+    signal.alarm(0)
+    print(answer, flush=True)

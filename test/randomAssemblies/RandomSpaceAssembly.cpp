@@ -1,11 +1,11 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 #include "RandomSpaceAssembly.h"
+#include "../MadeStructure.h"
 
 #include "Random.h"
 
 #include "contact/PointAreas.h"
 #include "dictionary/Dictionary.h"
-#include "texture/Texture.h"
 
 #include <fmt/format.h>
 
@@ -198,7 +198,7 @@ Assembly<3> walls(Random& random)
         hasReturn ? fmt::format("side {{ from (0 0); direction (0 1); length {}; thickness right; }}",
                                 2 + random.upTo(1))
                   : "";
-    return makeStructure<3>(Dictionary::readString(
+    return madeStructure<3>(Dictionary::readString(
         fmt::format(
             "dimensions 3; texture {{ type walls; unit ({:.17g} {:.17g} {:.17g}); bond {}; courses {}; "
             "walls {{ front {{ from (0 0); direction (1 0); length {}; thickness left; }} {} }} }} "

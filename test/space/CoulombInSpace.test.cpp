@@ -1,9 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 // Limit analysis with Coulomb's law in space: closed forms, and the lowest multipliers known.
+#include "../MadeStructure.h"
 #include "SpaceStructures.h"
 #include "dictionary/Dictionary.h"
 #include "statics/NonAssociative.h"
-#include "texture/Texture.h"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ SpaceConeProgram reference(const std::string& name, double mu, const Vector<3>& 
     const Dictionary dictionary =
         Dictionary::readFile(std::string(DRYSTONE_SOURCE_DIR) + "/test/space/references/" + name);
     const Assembly<3> assembly =
-        test::transformed(makeStructure<3>(dictionary.subDict("blockTextureDict")), turn, 1, {0, 0, 0});
+        test::transformed(madeStructure<3>(dictionary.subDict("blockTextureDict")), turn, 1, {0, 0, 0});
     return test::programOf(assembly, findContactPoints(assembly), mu,
                            test::pushed(assembly, turn * direction));
 }
@@ -179,7 +179,7 @@ TEST(CoulombInSpace, BoxesThatNoPathAnswersAreAnsweredByStepsFromRest)
          2.643}};
     for (const Case& boxes : cases)
     {
-        const Assembly<3> assembly = makeStructure<3>(
+        const Assembly<3> assembly = madeStructure<3>(
             Dictionary::readString("dimensions 3; texture { type boxes; blocks (" + boxes.blocks
                                    + "); } supports { ground { type ground; margin 10; } }"));
         std::vector<double> masses = boxes.densities;
@@ -348,7 +348,7 @@ TEST(CoulombInSpace, HousesDomesTowersAndBondsAreAnswered)
 // A house of hundreds of blocks: a path has several pieces for each of its points, and takes minutes.
 TEST(CoulombInSpace, AHouseOfHundredsOfBlocksIsAnsweredWithoutPaths)
 {
-    const Assembly<3> assembly = makeStructure<3>(Dictionary::readString(R"(
+    const Assembly<3> assembly = madeStructure<3>(Dictionary::readString(R"(
         dimensions 3;
         texture
         {

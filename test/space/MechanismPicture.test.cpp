@@ -1,10 +1,10 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// What is seen of bonded walls in their picture: bricks do not show what others hide.
 #include "io/MechanismPicture.h"
+#include "../MadeStructure.h"
 
 #include "geometry/PolygonShape.h"
 #include "io/Canvas.h"
-#include "texture/Texture.h"
 
 #include <gtest/gtest.h>
 
@@ -64,7 +64,7 @@ bool contains(const Polygon& outline, const Vector<2>& point)
 
 TEST(MechanismPicture, ShowsOfBondedWallsNoBrickUnderAnother)
 {
-    const Assembly<3> walls = makeStructure<3>(Dictionary::readString(
+    const Assembly<3> walls = madeStructure<3>(Dictionary::readString(
         "dimensions 3;\n"
         "texture { type walls; unit (0.25 0.125 0.065); bond english; courses 20;\n"
         "    walls { front { from (0 0); direction (1 0); length 8; thickness left; }\n"
@@ -115,7 +115,7 @@ TEST(MechanismPicture, ShowsOfBondedWallsNoBrickUnderAnother)
 
 TEST(MechanismPicture, ShowsTheWholeGroundAndNothingOutsideItsPage)
 {
-    const Assembly<3> wall = makeStructure<3>(Dictionary::readString(
+    const Assembly<3> wall = madeStructure<3>(Dictionary::readString(
         "dimensions 3;\n"
         "texture { type walls; unit (0.25 0.125 0.065); bond running; courses 10;\n"
         "    walls { front { from (0 0); direction (1 0); length 8; thickness left; } } }\n"

@@ -2,10 +2,10 @@
 /// Assemblies that others published, imported: their multipliers by the interfaces in the file and by the
 /// contacts that are found from the blocks. Multipliers were computed by another program, with the interfaces
 /// (COMPAS assemblies).
+#include "../MadeStructure.h"
 #include "SpaceStructures.h"
 #include "contact/JointClosure.h"
 #include "dictionary/Dictionary.h"
-#include "texture/Texture.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -100,7 +100,7 @@ TEST_P(PublishedStructure, HasItsMultipliers)
     {
         GTEST_SKIP() << published.file << " is not here: see the README of importedAssemblies";
     }
-    Assembly<3> assembly = makeStructure<3>(Dictionary::readString(
+    Assembly<3> assembly = madeStructure<3>(Dictionary::readString(
         fmt::format("dimensions 3; texture {{ type import; file \"{}\"; {} }} supports {{ {} }}",
                     fs::absolute(path).string(), published.texture, published.supports),
         "test"));

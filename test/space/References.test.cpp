@@ -2,9 +2,9 @@
 // Structures that two other programs have solved (second-order cones by CVXOPT; pyramids about and within the
 // cones by HiGHS): each file in references/ holds a blockTextureDict with the counts and multipliers that
 // must come out.
+#include "../MadeStructure.h"
 #include "SpaceStructures.h"
 #include "dictionary/Dictionary.h"
-#include "texture/Texture.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ class SpaceReference : public testing::TestWithParam<std::string>
 TEST_P(SpaceReference, HasItsCountsAndMultipliers)
 {
     const Dictionary reference = Dictionary::readFile(folder / GetParam());
-    const Assembly<3> assembly = makeStructure<3>(reference.subDict("blockTextureDict"));
+    const Assembly<3> assembly = madeStructure<3>(reference.subDict("blockTextureDict"));
     const std::vector<ContactPoint<3>> points = findContactPoints(assembly);
     const auto free = std::count_if(assembly.blocks.begin(), assembly.blocks.end(),
                                     [](const Block<3>& block) { return block.support < 0; });

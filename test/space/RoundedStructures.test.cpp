@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 // Structures whose coordinates were written to a few digits keep their joints, at rest and in motion.
+#include "../MadeStructure.h"
 #include "SpaceStructures.h"
 #include "assembly/WrittenDigits.h"
 #include "contact/AlmostJoints.h"
@@ -7,7 +8,6 @@
 #include "contact/JointClosure.h"
 #include "contact/space/MovingContacts.h"
 #include "dictionary/Dictionary.h"
-#include "texture/Texture.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -25,7 +25,7 @@ namespace
 /// A front wall of bricks with two returns that are toothed into it: faces along two directions.
 Assembly<3> wallsOfU()
 {
-    return makeStructure<3>(Dictionary::readString(
+    return madeStructure<3>(Dictionary::readString(
         "dimensions 3;\n"
         "texture { type walls; unit (0.4 0.2 0.2); bond running; courses 6;\n"
         "    walls { front { from (0 0); length 2; }\n"

@@ -1,9 +1,9 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 // Laws of vaults and of walls that the plane knows too, and bonds that are hard to solve.
+#include "../MadeStructure.h"
 #include "SpaceStructures.h"
 #include "contact/space/MovingContacts.h"
 #include "dictionary/Dictionary.h"
-#include "texture/Texture.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ using test::pushed;
 
 Assembly<3> structure(const std::string& texture)
 {
-    return makeStructure<3>(Dictionary::readString("dimensions 3; texture { " + texture
+    return madeStructure<3>(Dictionary::readString("dimensions 3; texture { " + texture
                                                        + " } supports { ground { type ground; } }",
                                                    "blockTextureDict"));
 }
@@ -101,7 +101,7 @@ TEST(LawsOfVaults, TheSixWallsExtrudedEqualThePlaneOnes)
         const Dictionary dictionary = Dictionary::readFile(
             fmt::format("{}/tutorials/limitAnalysis/masonryPanels/wall{}/system/blockTextureDict",
                         DRYSTONE_SOURCE_DIR, wall));
-        const Assembly<2> plane = makeStructure<2>(dictionary);
+        const Assembly<2> plane = madeStructure<2>(dictionary);
         const Assembly<3> space =
             structure("type extrusion; of { " + toText(dictionary.subDict("texture")) + " } thickness 0.3;");
         const LimitAnalysis result = solveLimitAnalysis(
@@ -120,7 +120,7 @@ TEST(LawsOfVaults, ABarrelInAnyBondEqualsThePlaneArch)
     {
         const std::string arch =
             fmt::format("radius 1; thickness {:.17g}; voussoirs {}; ", chance(0.15, 0.25), 9 + i % 9);
-        const Assembly<2> plane = makeStructure<2>(
+        const Assembly<2> plane = madeStructure<2>(
             Dictionary::readString("texture { type arch; profile circular; " + arch
                                        + "depth 1; angle 180; } supports { ground { type ground; } }",
                                    "blockTextureDict"));

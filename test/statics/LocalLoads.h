@@ -3,9 +3,9 @@
 /// statics and for benchmarks.
 #pragma once
 
+#include "../MadeStructure.h"
 #include "contact/Equilibrium.h"
 #include "statics/LimitAnalysis.h"
-#include "texture/Texture.h"
 
 #include "../SquareWall.h"
 
@@ -77,7 +77,7 @@ inline Assembly<2> viaduct(int spans)
 /// Two walls of space, toothed into each other.
 inline Assembly<3> cornerOfHouse()
 {
-    return makeStructure<3>(Dictionary::readString(
+    return madeStructure<3>(Dictionary::readString(
         "dimensions 3;\n"
         "texture { type walls; unit (0.5 0.25 0.25); bond running; courses 10; walls {\n"
         "front { from (0 0); direction (1 0); length 8; thickness left; }\n"

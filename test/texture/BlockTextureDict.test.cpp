@@ -1,5 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// system/blockTextureDict: structures from dictionaries, and each fault reported with its line.
+#include "../MadeStructure.h"
 #include "../ReportOf.h"
 #include "contact/ContactPoint.h"
 #include "texture/Texture.h"
@@ -19,7 +20,7 @@ namespace
 
 Assembly<2> structure(const std::string& text)
 {
-    return makeStructure(Dictionary::readString(text, "system/blockTextureDict"));
+    return madeStructure(Dictionary::readString(text, "system/blockTextureDict"));
 }
 
 std::string report(const std::string& text)
@@ -39,7 +40,7 @@ TEST(BlockTextureDict, TheSixWallsOfTheTutorialHaveTheBlocksAndPointsOfThePaper)
         const std::filesystem::path file = std::filesystem::path(DRYSTONE_SOURCE_DIR)
                                            / "tutorials/limitAnalysis/masonryPanels"
                                            / ("wall" + std::to_string(wall + 1)) / "system/blockTextureDict";
-        const Assembly<2> assembly = makeStructure(Dictionary::readFile(file));
+        const Assembly<2> assembly = madeStructure(Dictionary::readFile(file));
         EXPECT_EQ(std::count_if(assembly.blocks.begin(), assembly.blocks.end(),
                                 [](const Block<2>& block) { return block.support < 0; }),
                   blocks[wall]);

@@ -1,6 +1,6 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Columns and what lies on them.
-#include "texture/Texture.h"
+#include "../MadeStructure.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ TEST(Column, AnArchitraveLiesOnAllColumnsInWhateverOrderTheyAreGiven)
 {
     const auto beam = [](const std::string& places)
     {
-        return makeStructure<3>(
+        return madeStructure<3>(
                    Dictionary::readString(
                        "dimensions 3; texture { type column; radius 0.3; drums 2; drumHeight 0.5; at ("
                        + places + "); architrave { width 0.6; height 0.5; overhang 0.4; } }"))

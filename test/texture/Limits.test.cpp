@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// The limit of the number of blocks, in all textures of space that count them.
 #include "texture/Limits.h"
+#include "../MadeStructure.h"
 #include "../ReportOf.h"
-#include "texture/Texture.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@ std::string reportOfTexture(const std::string& texture)
     return reportOf(
         [&]
         {
-            makeStructure<3>(Dictionary::readString("dimensions 3; texture { " + texture + " }",
+            madeStructure<3>(Dictionary::readString("dimensions 3; texture { " + texture + " }",
                                                     "system/blockTextureDict"));
         });
 }

@@ -1,8 +1,8 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Openings and their lintels beside each other and where walls meet, in the plane and in space.
+#include "../MadeStructure.h"
 #include "../ReportOf.h"
 #include "contact/AssemblyChecks.h"
-#include "texture/Texture.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ namespace
 template<int Dim>
 std::string report(const std::string& text)
 {
-    return reportOf([&] { makeStructure<Dim>(Dictionary::readString(text, "system/blockTextureDict")); });
+    return reportOf([&] { madeStructure<Dim>(Dictionary::readString(text, "system/blockTextureDict")); });
 }
 
 std::string inPlane(const std::string& openings)
@@ -47,7 +47,7 @@ std::string tee(const std::string& openings)
 
 double volume(const std::string& text)
 {
-    const Assembly<3> assembly = makeStructure<3>(Dictionary::readString(text, "dict"));
+    const Assembly<3> assembly = madeStructure<3>(Dictionary::readString(text, "dict"));
     EXPECT_TRUE(findOverlaps(assembly).empty());
     double sum = 0;
     for (const Block<3>& block : assembly.blocks)
@@ -95,7 +95,7 @@ TEST(Openings, LintelsThatOverlapAreRefusedAndThoseThatMeetAreNot)
 TEST(Openings, ALintelThatEndsAtAJointButForRoundingLeavesNoSliver)
 {
     const Assembly<2> wall =
-        makeStructure(Dictionary::readString(inPlane("{ from (1.1 2); to (2.2 4); lintel 0.6; }"), "dict"));
+        madeStructure(Dictionary::readString(inPlane("{ from (1.1 2); to (2.2 4); lintel 0.6; }"), "dict"));
     for (const Block<2>& block : wall.blocks)
     {
         EXPECT_GT(areaProperties(block.outline).area, 1e-3);

@@ -1,11 +1,11 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Rubble of any seed: all stones are there, each of them a solid, or it is said which are not.
 #include "texture/space/Rubble.h"
+#include "../MadeStructure.h"
 #include "contact/AssemblyChecks.h"
 #include "contact/ContactPoint.h"
 #include "geometry/PolygonShape.h"
 #include "geometry/space/PolyhedronFault.h"
-#include "texture/Texture.h"
 #include "texture/plane/PlaneRubble.h"
 
 #include <fmt/format.h>
@@ -102,7 +102,7 @@ TEST(Rubble, StonesOfThePlaneThatShortJointsTakeAwayAreWarnedOf)
     const auto warning = [](const std::string& settings)
     {
         testing::internal::CaptureStderr();
-        makeStructure<2>(
+        madeStructure<2>(
             Dictionary::readString("texture\n{ type rubble; " + settings + " }", "system/blockTextureDict"));
         return testing::internal::GetCapturedStderr();
     };

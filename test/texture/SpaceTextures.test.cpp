@@ -1,6 +1,7 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
 /// Textures of space: numbers of blocks, contacts and points of structures that two other codes computed too,
 /// volumes in closed form, and the faults of their dictionaries.
+#include "../MadeStructure.h"
 #include "../ReportOf.h"
 #include "contact/ContactPoint.h"
 #include "texture/Texture.h"
@@ -26,7 +27,7 @@ const std::string onSlab = " supports { ground { type ground; } }";
 
 Assembly<3> spaceStructure(const std::string& texture, const std::string& supports = onSlab)
 {
-    return makeStructure<3>(Dictionary::readString("dimensions 3; texture { " + texture + " }" + supports,
+    return madeStructure<3>(Dictionary::readString("dimensions 3; texture { " + texture + " }" + supports,
                                                    "system/blockTextureDict"));
 }
 
@@ -179,7 +180,7 @@ TEST(SpaceTextures, AnExtrudedWallHasTheJointsOfThePlaneWallWithTwiceThePoints)
     const std::string wall =
         "type runningBond; unit (0.4 0.175); length 7; courses 21; openings ( { from (1.5 4); to (2.5 "
         "9); } { from (4.5 12); to (5.5 17); } );";
-    const Assembly<2> plane = makeStructure(
+    const Assembly<2> plane = madeStructure(
         Dictionary::readString("texture { " + wall + " } supports { ground { type ground; } }"));
     const Assembly<3> space = spaceStructure("type extrusion; of { " + wall + " }");
     EXPECT_EQ(findContactPoints(space).size(), 2 * findContactPoints(plane).size());
@@ -405,7 +406,7 @@ TEST(SpaceTextures, DimensionsSelectThePlaneOrSpace)
     EXPECT_EQ(dimensions("a 1;"), 2);
     EXPECT_EQ(dimensions("dimensions 3;"), 3);
     EXPECT_THROW(dimensions("dimensions 4;"), FatalIOError);
-    EXPECT_THROW(makeStructure<3>(Dictionary::readString(
+    EXPECT_THROW(madeStructure<3>(Dictionary::readString(
                      "dimensions 2; texture { type boxes; blocks (((0 0 0) (1 1 1))); }")),
                  FatalIOError);
 }

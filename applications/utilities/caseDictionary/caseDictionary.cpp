@@ -14,39 +14,36 @@ using namespace drystone;
 namespace
 {
 
-int run(const CommandLine& commandLine)
+/// An edit as the command line requests it.
+struct RequestedEdit
 {
-    const std::filesystem::path file = commandLine.caseDirectory / commandLine.arguments.front();
-    const std::string path = commandLine.get("entry").value_or("");
+    EntryEdit edit;
+    std::string value;
+};
+
+std::optional<RequestedEdit> requestedEdit(const CommandLine& commandLine, const std::string& path)
+{
     const std::map<std::string, EntryEdit> edits{
         {"set", EntryEdit::set}, {"add", EntryEdit::add}, {"remove", EntryEdit::remove}};
-    std::optional<EntryEdit> edit;
-    std::string value;
-    for (const auto& [option, itsEdit] : edits)
+    std::optional<RequestedEdit> requested;
+    for (const auto& [option, edit] : edits)
     {
         if (!commandLine.has(option))
         {
             continue;
         }
-        if (edit || path.empty())
+        if (requested || path.empty())
         {
             throw FatalError("-set, -add and -remove need -entry, which names the entry to be edited.");
         }
-        edit = itsEdit;
-        value = *commandLine.get(option);
+        requested = RequestedEdit{edit, *commandLine.get(option)};
     }
-    if (edit)
-    {
-        editFile(file, path, *edit, value);
-    }
-    if (edit == EntryEdit::remove)
-    {
-        return 0;
-    }
+    return requested;
+}
 
-    const bool asWritten = edit || commandLine.has("disableFunctionEntries");
-    const Dictionary dictionary = Dictionary::readFile(file, asWritten ? Expansion::none : Expansion::all);
-    const Entry* entry = path.empty() ? nullptr : &dictionary.lookupPath(withoutQuotes(path));
+/// \param entry of the dictionary; null: all of them
+void printEntry(const Dictionary& dictionary, const Entry* entry, const CommandLine& commandLine)
+{
     if (commandLine.has("keywords"))
     {
         for (const Entry& inner : (entry ? entry->dictionary() : dictionary).entries())
@@ -70,6 +67,24 @@ int run(const CommandLine& commandLine)
     {
         fmt::print("{}\n", entry->valueText());
     }
+}
+
+int run(const CommandLine& commandLine)
+{
+    const std::filesystem::path file = commandLine.caseDirectory / commandLine.arguments.front();
+    const std::string path = commandLine.get("entry").value_or("");
+    const std::optional<RequestedEdit> requested = requestedEdit(commandLine, path);
+    if (requested)
+    {
+        editFile(file, path, requested->edit, requested->value);
+        if (requested->edit == EntryEdit::remove)
+        {
+            return 0;
+        }
+    }
+    const bool asWritten = requested || commandLine.has("disableFunctionEntries");
+    const Dictionary dictionary = Dictionary::readFile(file, asWritten ? Expansion::none : Expansion::all);
+    printEntry(dictionary, path.empty() ? nullptr : &dictionary.lookupPath(withoutQuotes(path)), commandLine);
     return 0;
 }
 

@@ -39,17 +39,7 @@ constexpr int firstFound = 1 << 30;
 /// Whether the boxes about two solids are within a distance.
 bool areNear(const ConvexSolid& one, const ConvexSolid& other, double distance)
 {
-    Box<3> box;
-    Box<3> otherBox;
-    for (const Vector<3>& vertex : one.vertices)
-    {
-        extend(box, vertex);
-    }
-    for (const Vector<3>& vertex : other.vertices)
-    {
-        extend(otherBox, vertex);
-    }
-    return meet(enlarged(box, distance), otherBox);
+    return meet(enlarged(boxAround<3>(one.vertices), distance), boxAround<3>(other.vertices));
 }
 
 /// What the parts before one have: their numbers follow each other.

@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Figures of polyhedra.
+/// What the checks ask of polyhedra: sizes, inertia, and where they touch without a joint.
 #include "contact/ShapeChecks.h"
 
 #include "contact/SupportPaths.h"

@@ -172,13 +172,10 @@ Cell cellBehind(const Cell& cell, const Plane& plane, double tolerance)
     return kept;
 }
 
-Cell boxAround(const Polyhedron& polyhedron)
+/// A box around the polyhedron that leaves its size free on all sides.
+Cell cellAround(const Polyhedron& polyhedron)
 {
-    Box<3> box;
-    for (const Vector<3>& vertex : polyhedron.vertices)
-    {
-        extend(box, vertex);
-    }
+    const Box<3> box = boxAround<3>(polyhedron.vertices);
     const double reach = (box.upper - box.lower).norm();
     const Polyhedron solid =
         makeBox(Vector<3>(box.lower.array() - reach), Vector<3>(box.upper.array() + reach));
@@ -280,7 +277,7 @@ public:
     /// \return whether they are not too many
     bool divide()
     {
-        Cell cell = boxAround(solid);
+        Cell cell = cellAround(solid);
         // Planes that all is behind of first: they divide nothing.
         for (const Facet& face : faces)
         {

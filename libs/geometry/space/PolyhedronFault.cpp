@@ -2,6 +2,7 @@
 /// The faults of a polyhedron, a function each.
 #include "geometry/space/PolyhedronFault.h"
 
+#include "geometry/Box.h"
 #include "geometry/PolygonShape.h"
 #include "geometry/space/FacePolygon.h"
 
@@ -26,14 +27,8 @@ constexpr double sameTolerance = 1e-10;
 
 double extentOf(const Polyhedron& polyhedron)
 {
-    Vector<3> lower = polyhedron.vertices.front();
-    Vector<3> upper = lower;
-    for (const Vector<3>& vertex : polyhedron.vertices)
-    {
-        lower = lower.cwiseMin(vertex);
-        upper = upper.cwiseMax(vertex);
-    }
-    return (upper - lower).norm();
+    const Box<3> box = boxAround<3>(polyhedron.vertices);
+    return (box.upper - box.lower).norm();
 }
 
 Fault faultOfVertices(const Polyhedron& polyhedron)

@@ -22,6 +22,59 @@ std::vector<int> concaveBlocks(const std::vector<ExportedSolid>& solids)
     return concave;
 }
 
+namespace
+{
+
+/// Numbers of the materials, one for each density, in the order of the blocks.
+std::map<double, int> materialsOf(const std::vector<ExportedSolid>& solids)
+{
+    std::map<double, int> materials;
+    for (const ExportedSolid& solid : solids)
+    {
+        materials.emplace(solid.density, static_cast<int>(materials.size()));
+    }
+    return materials;
+}
+
+void writeMaterials(std::string& text, const std::map<double, int>& materials)
+{
+    std::map<int, double> densities;
+    for (const auto& [density, index] : materials)
+    {
+        densities[index] = density;
+    }
+    for (const auto& [index, density] : densities)
+    {
+        fmt::format_to(std::back_inserter(text),
+                       "stone{} = pre.material(name='ST{:03}', materialType='RIGID', density={})\n"
+                       "materials.addMaterial(stone{})\n",
+                       index, index, density, index);
+    }
+}
+
+/// A call of the script's function `block`.
+void writeRigidBlock(std::string& text, std::size_t index, const ExportedSolid& solid, int material)
+{
+    const auto out = std::back_inserter(text);
+    fmt::format_to(out, "block([  # {}, {}{}\n", index, solid.layer,
+                   isConvex(solid.shape) ? "" : ", not convex");
+    for (const Vector<3>& vertex : solid.shape.vertices)
+    {
+        fmt::format_to(out, "    [{}],\n", written(vertex, {}, ", "));
+    }
+    text += "], [\n";
+    for (const std::vector<int>& face : solid.shape.faces)
+    {
+        for (const std::array<int, 3>& triangle : trianglesOf(solid.shape, face))
+        {
+            fmt::format_to(out, "    [{}, {}, {}],\n", triangle[0] + 1, triangle[1] + 1, triangle[2] + 1);
+        }
+    }
+    fmt::format_to(out, "], stone{}, {})\n", material, solid.isFixed ? "True" : "False");
+}
+
+} // namespace
+
 std::string lmgc90Text(const std::vector<ExportedSolid>& solids, double friction)
 {
     std::string text =
@@ -31,19 +84,8 @@ std::string lmgc90Text(const std::vector<ExportedSolid>& solids, double friction
         "visibilities = pre.see_tables()\ncontacts = pre.tact_behavs()\n\n"
         "rigid = pre.model(name='rigid', physics='MECAx', element='Rxx3D', "
         "dimension=dimension)\nmodels.addModel(rigid)\n\n";
-    const auto out = std::back_inserter(text);
-    std::map<double, int> materialOf; // by density
-    for (const ExportedSolid& solid : solids)
-    {
-        if (materialOf.emplace(solid.density, static_cast<int>(materialOf.size())).second)
-        {
-            const int index = materialOf[solid.density];
-            fmt::format_to(out,
-                           "stone{} = pre.material(name='ST{:03}', materialType='RIGID', density={})\n"
-                           "materials.addMaterial(stone{})\n",
-                           index, index, solid.density, index);
-        }
-    }
+    const std::map<double, int> materials = materialsOf(solids);
+    writeMaterials(text, materials);
     text +=
         "\n\ndef block(vertices, faces, material, fixed):\n    body = pre.rigidPolyhedron(model=rigid, "
         "material=material, color='BLEUx', generation_type='full',\n                               "
@@ -51,26 +93,10 @@ std::string lmgc90Text(const std::vector<ExportedSolid>& solids, double friction
         "body.imposeDrivenDof(component=[1, 2, 3, 4, 5, 6], dofty='vlocy')\n    bodies.addAvatar(body)\n\n\n";
     for (std::size_t i = 0; i < solids.size(); ++i)
     {
-        const Polyhedron& shape = solids[i].shape;
-        fmt::format_to(out, "block([  # {}, {}{}\n", i, solids[i].layer,
-                       isConvex(shape) ? "" : ", not convex");
-        for (const Vector<3>& vertex : shape.vertices)
-        {
-            fmt::format_to(out, "    [{}],\n", written(vertex, {}, ", "));
-        }
-        text += "], [\n";
-        for (const std::vector<int>& face : shape.faces)
-        {
-            for (const std::array<int, 3>& triangle : trianglesOf(shape, face))
-            {
-                fmt::format_to(out, "    [{}, {}, {}],\n", triangle[0] + 1, triangle[1] + 1, triangle[2] + 1);
-            }
-        }
-        fmt::format_to(out, "], stone{}, {})\n", materialOf[solids[i].density],
-                       solids[i].isFixed ? "True" : "False");
+        writeRigidBlock(text, i, solids[i], materials.at(solids[i].density));
     }
     fmt::format_to(
-        out,
+        std::back_inserter(text),
         "\nlaw = pre.tact_behav(name='iqsc0', law='IQS_CLB', fric={})\ncontacts += law\n"
         "visibilities += pre.see_table(CorpsCandidat='RBDY3', candidat='POLYR', colorCandidat='BLEUx', "
         "behav=law,\n                              CorpsAntagoniste='RBDY3', antagoniste='POLYR', "

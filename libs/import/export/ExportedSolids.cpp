@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Solids from blocks.
+/// Gives blocks of the plane their thickness, and every block a layer.
 #include "import/export/ExportedSolids.h"
 
 #include "geometry/PolygonShape.h"

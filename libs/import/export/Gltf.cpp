@@ -2,7 +2,8 @@
 /// glTF 2.0 with its buffer within: corners of each triangle with the normal of their face, about the centre
 /// of the block, which the node places and an animation moves.
 #include "core/Base64.h"
-#include "geometry/Box.h"
+#include "core/Json.h"
+#include "geometry/BroadPhase.h"
 #include "geometry/space/Polyhedron.h"
 #include "import/export/Number.h"
 #include "import/export/Writers.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <utility>
 
 namespace drystone
 {
@@ -25,6 +27,14 @@ namespace
 Vector<3> upright(const Vector<3>& place)
 {
     return {place.x(), place.z(), -place.y()};
+}
+
+/// Appends to a list of JSON.
+template<class... Arguments>
+void append(std::string& list, fmt::format_string<Arguments...> item, Arguments&&... arguments)
+{
+    list += list.empty() ? "" : ",\n";
+    fmt::format_to(std::back_inserter(list), item, std::forward<Arguments>(arguments)...);
 }
 
 /// Whether an accessor states the least and largest numbers of its array, as places and times must.
@@ -59,12 +69,9 @@ std::string extentOf(const Eigen::MatrixXf& numbers)
 std::size_t Buffer::add(const Eigen::MatrixXd& vectors, std::string_view type, Extent extent)
 {
     const Eigen::MatrixXf numbers = vectors.cast<float>();
-    const char* separator = count > 0 ? ",\n" : "";
-    fmt::format_to(std::back_inserter(viewList), R"({}{{"buffer":0,"byteOffset":{},"byteLength":{}}})",
-                   separator, bytes.size(), 4 * numbers.size());
-    fmt::format_to(std::back_inserter(accessorList),
-                   R"({}{{"bufferView":{},"componentType":5126,"count":{},"type":"{}"{}}})", separator, count,
-                   numbers.cols(), type, extent == Extent::given ? extentOf(numbers) : "");
+    append(viewList, R"({{"buffer":0,"byteOffset":{},"byteLength":{}}})", bytes.size(), 4 * numbers.size());
+    append(accessorList, R"({{"bufferView":{},"componentType":5126,"count":{},"type":"{}"{}}})", count,
+           numbers.cols(), type, extent == Extent::given ? extentOf(numbers) : "");
     for (const float value : numbers.reshaped())
     {
         const auto bits = std::bit_cast<std::uint32_t>(value);
@@ -115,26 +122,10 @@ Vector<3> originOf(const std::vector<ExportedSolid>& solids)
     Box<3> box;
     for (const ExportedSolid& solid : solids)
     {
-        for (const Vector<3>& vertex : solid.shape.vertices)
-        {
-            extend(box, vertex);
-        }
+        extend<3>(box, boundingBox(solid.shape));
     }
-    constexpr double far = 100; // sizes of the structure: a hundred thousandth of it is left
-    const Vector<3> centre = (box.lower + box.upper) / 2;
-    const bool isFar = centre.lpNorm<Eigen::Infinity>() > far * (box.upper - box.lower).maxCoeff();
-    return isFar ? Vector<3>(centre.array().round()) : Vector<3>::Zero();
-}
-
-/// A name as JSON has it between quotes; those of dictionaries have no control characters.
-std::string escaped(const std::string& name)
-{
-    std::string text;
-    for (const char c : name)
-    {
-        text += c == '\\' || c == '"' ? std::string{'\\', c} : std::string{c};
-    }
-    return text;
+    return isFarFromOrigin(box) ? Vector<3>(((box.lower + box.upper) / 2).array().round())
+                                : Vector<3>(Vector<3>::Zero());
 }
 
 std::string translationOf(const Vector<3>& place)
@@ -187,11 +178,9 @@ Animation::Animation(Buffer& numbers, const std::vector<SolidFrame>& frames)
 void Animation::add(std::size_t node, std::string_view path, const Eigen::MatrixXd& values)
 {
     const std::size_t output = buffer.add(values, path == "rotation" ? "VEC4" : "VEC3", Extent::absent);
-    const char* separator = count > 0 ? ",\n" : "";
-    fmt::format_to(std::back_inserter(samplerList), R"({}{{"input":{},"output":{},"interpolation":"{}"}})",
-                   separator, times, output, path == "scale" ? "STEP" : "LINEAR");
-    fmt::format_to(std::back_inserter(channelList),
-                   R"({}{{"sampler":{},"target":{{"node":{},"path":"{}"}}}})", separator, count, node, path);
+    append(samplerList, R"({{"input":{},"output":{},"interpolation":"{}"}})", times, output,
+           path == "scale" ? "STEP" : "LINEAR");
+    append(channelList, R"({{"sampler":{},"target":{{"node":{},"path":"{}"}}}})", count, node, path);
     ++count;
 }
 
@@ -225,54 +214,74 @@ void Animation::move(std::size_t node, const Vector<3>& centre)
     }
 }
 
+/// Meshes and nodes of the blocks, one each.
+struct Nodes
+{
+    std::string meshList;
+    std::string nodeList;
+    std::string children; ///< of the scene
+};
+
+/// \param translation of its node, or empty
+void addBlock(Nodes& nodes, Buffer& buffer, std::size_t index, const ExportedSolid& solid,
+              const Vector<3>& centre, const std::string& translation)
+{
+    const Triangles triangles = trianglesAbout(centre, solid.shape);
+    const std::size_t positions = buffer.add(triangles.places, "VEC3", Extent::given);
+    const std::size_t normals = buffer.add(triangles.normals, "VEC3", Extent::absent);
+    append(nodes.meshList,
+           R"({{"primitives":[{{"attributes":{{"POSITION":{},"NORMAL":{}}},"material":{}}}]}})", positions,
+           normals, solid.isFixed ? 1 : 0);
+    append(nodes.nodeList, R"({{"name":"block_{}","mesh":{}{},"extras":{{"layer":{}}}}})", index, index,
+           translation, jsonText(solid.layer));
+    nodes.children += fmt::format("{}{}", index > 0 ? "," : "", index);
+}
+
+/// One more node that moves those of all blocks.
+void moveAll(Nodes& nodes, std::size_t blocks, const Vector<3>& origin)
+{
+    append(nodes.nodeList, R"({{"name":"structure","children":[{}]{}}})", nodes.children,
+           translationOf(upright(origin)));
+    nodes.children = fmt::format("{}", blocks);
+}
+
+/// The animation of the blocks that are not fixed. \param centres of the blocks, from the origin
+std::string animationOf(Buffer& buffer, const std::vector<ExportedSolid>& solids,
+                        const std::vector<SolidFrame>& frames, const std::vector<Vector<3>>& centres)
+{
+    Animation animation(buffer, frames);
+    for (std::size_t i = 0; i < solids.size(); ++i)
+    {
+        if (!solids[i].isFixed)
+        {
+            animation.move(i, centres[i]);
+        }
+    }
+    return fmt::format("\"animations\":[{{\"name\":\"motion\",\"samplers\":[{}],\n\"channels\":[{}]}}],\n",
+                       animation.samplerList, animation.channelList);
+}
+
 } // namespace
 
 std::string gltfText(const std::vector<ExportedSolid>& solids, const std::vector<SolidFrame>& frames)
 {
-    Buffer buffer;
-    std::string meshes;
-    std::string nodes;
-    std::string children;
     const Vector<3> origin = originOf(solids);
-    std::vector<Vector<3>> centres(solids.size(), origin);
+    Buffer buffer;
+    Nodes nodes;
+    std::vector<Vector<3>> centres; // from the origin
     for (std::size_t i = 0; i < solids.size(); ++i)
     {
         // Blocks that stay are written where they are.
-        centres[i] = frames.empty() ? centres[i] : volumeProperties(solids[i].shape).centroid;
-        const Triangles triangles = trianglesAbout(centres[i], solids[i].shape);
-        const std::size_t positions = buffer.add(triangles.places, "VEC3", Extent::given);
-        const std::size_t normals = buffer.add(triangles.normals, "VEC3", Extent::absent);
-        const char* separator = i > 0 ? ",\n" : "";
-        fmt::format_to(std::back_inserter(meshes),
-                       R"({}{{"primitives":[{{"attributes":{{"POSITION":{},"NORMAL":{}}},"material":{}}}]}})",
-                       separator, positions, normals, solids[i].isFixed ? 1 : 0);
-        fmt::format_to(std::back_inserter(nodes),
-                       R"({}{{"name":"block_{}","mesh":{}{},"extras":{{"layer":"{}"}}}})", separator, i, i,
-                       frames.empty() ? "" : translationOf(upright(centres[i] - origin)),
-                       escaped(solids[i].layer));
-        fmt::format_to(std::back_inserter(children), "{}{}", i > 0 ? "," : "", i);
+        const Vector<3> centre = frames.empty() ? origin : volumeProperties(solids[i].shape).centroid;
+        centres.emplace_back(centre - origin);
+        addBlock(nodes, buffer, i, solids[i], centre,
+                 frames.empty() ? "" : translationOf(upright(centres.back())));
     }
-    if (!origin.isZero()) // one more node moves them all to where they are
+    if (!origin.isZero())
     {
-        nodes += fmt::format(",\n{{\"name\":\"structure\",\"children\":[{}]{}}}", children,
-                             translationOf(upright(origin)));
-        children = fmt::format("{}", solids.size());
+        moveAll(nodes, solids.size(), origin);
     }
-    std::string animations;
-    if (!frames.empty())
-    {
-        Animation animation(buffer, frames);
-        for (std::size_t i = 0; i < solids.size(); ++i)
-        {
-            if (!solids[i].isFixed)
-            {
-                animation.move(i, centres[i] - origin);
-            }
-        }
-        animations =
-            fmt::format("\"animations\":[{{\"name\":\"motion\",\"samplers\":[{}],\n\"channels\":[{}]}}],\n",
-                        animation.samplerList, animation.channelList);
-    }
+    const std::string animations = frames.empty() ? "" : animationOf(buffer, solids, frames, centres);
     return fmt::format(
         "{{\"asset\":{{\"version\":\"2.0\",\"generator\":\"Drystone\"}},\"scene\":0,\"scenes\":[{{\"nodes\":["
         "{}]}}],\n\"materials\":[{{\"name\":\"blocks\",\"pbrMetallicRoughness\":{{\"baseColorFactor\":[0.72,"
@@ -281,8 +290,8 @@ std::string gltfText(const std::vector<ExportedSolid>& solids, const std::vector
         "\"roughnessFactor\":0.9}}}}],\n\"nodes\":[{}],\n\"meshes\":[{}],\n{}\"accessors\":[{}],"
         "\n\"bufferViews\":[{}],\n\"buffers\":[{{\"byteLength\":{},\"uri\":\"data:application/"
         "octet-stream;base64,{}\"}}]}}\n",
-        children, nodes, meshes, animations, buffer.accessorList, buffer.viewList, buffer.bytes.size(),
-        base64(buffer.bytes));
+        nodes.children, nodes.nodeList, nodes.meshList, animations, buffer.accessorList, buffer.viewList,
+        buffer.bytes.size(), base64(buffer.bytes));
 }
 
 } // namespace drystone

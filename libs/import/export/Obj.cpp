@@ -1,5 +1,5 @@
 // Copyright 2026 the Drystone authors. SPDX-License-Identifier: GPL-3.0-or-later
-/// Wavefront OBJ.
+/// Wavefront OBJ, whose vertices are numbered through the whole file.
 #include "import/export/Number.h"
 
 #include <iterator>

@@ -24,9 +24,10 @@ namespace drystone
 namespace
 {
 
-/// The displacement of each block, as the mean over its corners [m].
-std::vector<double> meanDisplacements(const Assembly<2>& assembly,
-                                      const std::vector<Placement<2>>& placements)
+/// The displacement of each block, as the mean over its corners, as a part of the largest; zeros where no
+/// block has moved.
+std::vector<double> partsOfLargestDisplacement(const Assembly<2>& assembly,
+                                               const std::vector<Placement<2>>& placements)
 {
     std::vector<double> result;
     for (std::size_t i = 0; i < placements.size(); ++i)
@@ -39,6 +40,11 @@ std::vector<double> meanDisplacements(const Assembly<2>& assembly,
             sum += (after[k] - before[k]).norm();
         }
         result.push_back(before.empty() ? 0 : sum / static_cast<double>(before.size()));
+    }
+    const double largest = result.empty() ? 0 : *std::max_element(result.begin(), result.end());
+    for (double& displacement : result)
+    {
+        displacement = largest > 0 ? displacement / largest : 0;
     }
     return result;
 }
@@ -183,6 +189,18 @@ Vector<2> movedPlace(const Assembly<2>& assembly, const std::vector<Placement<2>
            + turned(placement.rotation, place - block.outline.front());
 }
 
+/// Where loads act on blocks that have moved.
+std::vector<LoadTip> loadTips(const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
+                              const std::vector<LoadPlace>& places)
+{
+    std::vector<LoadTip> tips;
+    for (const LoadPlace& at : places)
+    {
+        tips.push_back({movedPlace(assembly, placements, at.block, at.place), at.part});
+    }
+    return tips;
+}
+
 /// A hinge as a point, a sliding joint as a line, on the block that moves more.
 void paintMarks(Canvas& drawing, const Assembly<2>& assembly, const std::vector<Placement<2>>& placements,
                 const std::vector<JointMark>& marks, const std::vector<double>& moved, const PlaneView& view)
@@ -247,11 +265,7 @@ Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2
     const Vector<3> load =
         picture.load ? picture.load->direction.normalized().eval() : Vector<3>::Zero().eval();
     const Vector<2> loadOnPage(load.x(), -load.y());
-    std::vector<LoadTip> loads;
-    for (const LoadPlace& at : picture.loadPlaces)
-    {
-        loads.push_back({movedPlace(assembly, placements, at.block, at.place), at.part});
-    }
+    const std::vector<LoadTip> loads = loadTips(assembly, placements, picture.loadPlaces);
     const Eigen::AlignedBox2d structure = shownArea(assembly, placements, blockSize);
     const Box<2> area = areaWithLoads(picture, {structure.min(), structure.max()}, loads, loadOnPage);
     PlaneView view;
@@ -261,17 +275,13 @@ Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2
     view.corner = page.corner;
     Canvas& drawing = page.drawing;
 
-    std::vector<double> moved = meanDisplacements(assembly, placements);
-    const double furthest = moved.empty() ? 0 : *std::max_element(moved.begin(), moved.end());
-    for (double& displacement : moved)
-    {
-        displacement = furthest > 0 ? displacement / furthest : 0;
-    }
+    const std::vector<double> moved = partsOfLargestDisplacement(assembly, placements);
+    const bool isMoving = std::any_of(moved.begin(), moved.end(), [](double part) { return part > 0; });
     drawing.defineHatch("fixed", "#9a9a9a", 7);
     drawing.beginClip("view", page.corner, page.room.x(), page.room.y());
     paintSupports(drawing, assembly, placements, view);
     paintBlocks(drawing, assembly, placements, moved, view, blockSize);
-    if (furthest > 0)
+    if (isMoving)
     {
         for (const OutlinePiece& piece : builtOutline(assembly, 1e-6 * blockSize))
         {
@@ -289,7 +299,7 @@ Canvas drawnMechanism(const Assembly<2>& assembly, const std::vector<Placement<2
     paintLoads(page, area, loads, loadOnPage);
     drawing.endClip();
 
-    paintLegend(page, picture, marks, furthest > 0, largestForce);
+    paintLegend(page, picture, marks, isMoving, largestForce);
     paintNotes(page, picture, loadOnPage);
     return drawing;
 }
