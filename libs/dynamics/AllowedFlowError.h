@@ -30,6 +30,7 @@ struct FlowSolution
     const Eigen::VectorXd& gap;            ///< without what the program imposed, Dim a point [m]
     const std::vector<MissedFlow>& missed; ///< by all programs of the step up to it, in turn
     double wayOfLoads;                     ///< how far the loads would take the blocks without contacts [m]
+    bool isPredicted;                      ///< its openings are those of alternating directions
     bool isBalanced;                       ///< its displacements are those that its forces give the blocks
 };
 

@@ -2,6 +2,7 @@
 /// The programs in turn that lead to the solution of a theta step.
 #include "dynamics/ThetaStep.h"
 
+#include "conic/coulomb/AlternatingDirections.h"
 #include "dynamics/AcceleratedIteration.h"
 #include "dynamics/AllowedFlowError.h"
 #include "dynamics/CoulombFlow.h"
@@ -92,6 +93,7 @@ private:
     bool isNewtonsTurn() const;
     bool reachesFlow();
     bool endsBeforePrograms();
+    void predictSliding();
     void solvePrograms();
     void solveProgram();
     bool stands();
@@ -125,6 +127,7 @@ private:
     Eigen::VectorXd gap;      ///< of the program without that share
     AcceleratedIteration fixedPoint;
     std::vector<MissedFlow> missed; ///< by the programs in turn
+    bool isPredicted = false;       ///< the programs began with openings by alternating directions
     bool isBalanced = false; ///< displacements of the last program are those that its forces give the blocks
 };
 
@@ -268,6 +271,10 @@ bool StepSearch<Dim>::reachesFlow()
     {
         return true;
     }
+    if (step.programs == 1 && afterProgram != Following::notAtAll)
+    {
+        predictSliding();
+    }
     ConeSolution from = start;
     if (step.programs == programsToRestart) // from nothing
     {
@@ -338,7 +345,7 @@ bool StepSearch<Dim>::meetsFlow()
     step.flowError = errorOfFlow<Dim>(imposed, opening, gap, step, least);
     missed.push_back({step.flowError, farthestMotion<Dim>(step.displacement - expected, settings.blockSize)});
     const bool isMet = step.flowError <= allowedFlowError<Dim>(
-                           {step, opening, gap, missed, wayOfLoads(), isBalanced}, settings);
+                           {step, opening, gap, missed, wayOfLoads(), isPredicted, isBalanced}, settings);
     imposed = fixedPoint.next(imposed, opening);
     if (step.programs == programsToRestart)
     {
@@ -410,10 +417,39 @@ bool StepSearch<Dim>::endsBeforePrograms()
                || goesOnFromLastStep(step, flowProblem(), start, fromLastStep));
 }
 
+/// In large structures of space whose forces are not followed programs begin with the openings of forces near
+/// the least ones. Those of the last step, or of the interior point, keep a pressure between blocks that
+/// nothing asks for, and hold them back.
+template<int Dim>
+void StepSearch<Dim>::predictSliding()
+{
+    if constexpr (Dim == 3)
+    {
+        const bool isLarge = program.contacts.size() >= pointsOfLarge;
+        if (!isLarge || !isCoulomb || isImpact || !isGuessed || program.hasCompliance()
+            || program.hasStrength())
+        {
+            return;
+        }
+        program.gap = gap;
+        const ConeSolution predicted =
+            solveAlternatingDirections(program, expected, {}, symbolic ? *symbolic : ownAnalysis);
+        addWork(step, predicted);
+        imposed =
+            dilatancy(program, applyTransposed(program, predicted.displacement), predicted.contactForce);
+        fixedPoint = {};
+        isPredicted = true;
+    }
+}
+
 template<int Dim>
 void StepSearch<Dim>::solvePrograms()
 {
     gap = program.gap;
+    if (afterProgram == Following::notAtAll)
+    {
+        predictSliding();
+    }
     while (!(isNewtonsTurn() && reachesFlow()))
     {
         solveProgram();

@@ -42,9 +42,8 @@ Eigen::VectorXd meanDeadLoad(const DynamicCase<Dim>& scene, const DynamicState<D
 template<int Dim>
 bool isFixedPointOnly(const Motion<Dim>& motion, double length)
 {
-    constexpr std::size_t manyPoints = 500;
-    constexpr long stepsToNextTry = 8;
-    return Dim == 3 && motion.points.size() >= manyPoints && motion.residuals.flowError > 0
+    constexpr long stepsToNextTry = 32;
+    return Dim == 3 && motion.points.size() >= pointsOfLarge && motion.residuals.flowError > 0
            && std::lround(motion.state.time / length) % stepsToNextTry != 0;
 }
 

@@ -198,35 +198,36 @@ TEST_P(ExtrudedWall, FallsByCoulombsLawAlikeInAMirrorAndWithItsBlocksInAnyOrder)
 INSTANTIATE_TEST_SUITE_P(OfThePaper, ExtrudedWall, testing::Range(1, 7));
 
 // Newton's method has 140 factorisations a step, and the augmented Lagrangian 24 of most programs, all in
-// vain: they are tried in every eighth step, whichever way a run has come there.
+// vain: they are tried in each 32nd step, whichever way a run has come there.
 TEST(HouseInSpace, DoesNotTryInEachStepByCoulombsLawWhatWasInVainInTheLast)
 {
     constexpr double length = 0.005;
+    constexpr int fewest = 40; // of the tries; a program has up to 24, alternating directions three
     DynamicCase<3> scene = spaceScenes::sceneOf(cornerOfHouse(), 1, 0.6, {0, 0, -g});
     scene.solution.tolerance = 1e-9;
     GroundMotion::Component component;
     component.acceleration = std::make_shared<ConstantAcceleration>(3);
     setGroundMotion<3>(scene.effects, {{component}});
     Motion<3> motion = startMotion(scene, stateAtRest(scene.assembly));
-    for (int step = 0; step < 10; ++step)
+    for (int step = 0; step < 34; ++step)
     {
         ASSERT_TRUE(advance(scene, motion, length));
         EXPECT_GT(motion.residuals.flowError, 0);
         const int tries = motion.residuals.factorisations - 20 * motion.residuals.programs;
-        if (step % 8 == 0)
+        if (step % 32 == 0)
         {
-            EXPECT_GT(tries, 0) << step;
+            EXPECT_GT(tries, fewest) << step;
         }
         else
         {
-            EXPECT_LE(tries, 0) << step; // 140 and more, were they tried
+            EXPECT_LE(tries, fewest) << step;
         }
     }
 }
 
-// Some points swing between states that move the blocks alike: 13 of 30 such steps went on until the
-// fifteenth program, for an error that was no less than that of the fifth.
-TEST(HouseInSpace, EndsAStepWhereProgramsNoLongerDiffer)
+// Programs that begin with the forces of the last step took 8 a step, and left the house a pressure between
+// its blocks that held it back.
+TEST(HouseInSpace, FallsByForcesNearTheLeastInFewPrograms)
 {
     constexpr int steps = 12;
     DynamicCase<3> scene = spaceScenes::sceneOf(
@@ -254,8 +255,8 @@ TEST(HouseInSpace, EndsAStepWhereProgramsNoLongerDiffer)
     {
         moved = std::max(moved, placement.translation.norm());
     }
-    EXPECT_GT(moved, 5e-5); // the house moves
-    EXPECT_LE(programs, 10 * steps);
+    EXPECT_GT(moved, 0.9e-3);
+    EXPECT_LE(programs, 3 * steps);
 }
 
 // Paths from the forces of a program did not leave their start, three ways one after the other, and took what

@@ -41,15 +41,6 @@ const std::vector<ExpectedFailure>& expectedFailures()
         {"static_keystone_above_1em6", SolverType::interiorPoint,
          "forces of 1.3e6 times the load: the best ray is 6e-8 from balance, and a certificate asks for "
          "1e-9"},
-        {"cornerOnCorner_Coulomb", SolverType::automatic,
-         "the corner rests on the other one exactly and falls for one step, by g dt2, before a line is seen "
-         "to close"},
-        {"cornerOnCorner_Coulomb", SolverType::interiorPoint,
-         "the corner rests on the other one exactly and falls for one step, by g dt2, before a line is seen "
-         "to close"},
-        {"cornerOnCorner_Coulomb", SolverType::augmentedLagrangian,
-         "the corner rests on the other one exactly and falls for one step, by g dt2, before a line is seen "
-         "to close"},
         {"painleve", SolverType::gaussSeidel,
          "no impulse is within 1e-4 of Coulomb's law in a step of 1e-5 s; to 1e-6 it comes"},
         {"slivers", SolverType::gaussSeidel, ratio},
