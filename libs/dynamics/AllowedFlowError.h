@@ -35,8 +35,8 @@ struct FlowSolution
 };
 
 /// Error allowed in mu |u_t| [m]: for the first programs that of their tolerance, then a share of what the
-/// step changes the motion by, and where that stalls, or after many, a larger one. Of an impact all are
-/// velocities [m/s].
+/// step changes the motion by, and where that stalls, or after many, a larger one. Openings by alternating
+/// directions have a share of their own from the first program on. Of an impact all are velocities [m/s].
 template<int Dim>
 double allowedFlowError(const FlowSolution& solution, const StepSettings& settings);
 
