@@ -126,7 +126,7 @@ public:
     double overlookedDepth(const std::vector<Placement<2>>& placements) const;
 
     /// Whether blocks are in each other there whose corners at one place the last update has left alone: it
-    /// finds more if it is told that they head there.
+    /// finds more if it knows that they head there.
     bool findsMoreTowards(const std::vector<Placement<2>>& placements) const;
 
     /// Whether that is more than blocks may enter each other by.

@@ -3,6 +3,7 @@
 #include "dynamics/CoulombFlow.h"
 
 #include "conic/CoulombNewton.h"
+#include "conic/coulomb/AlternatingDirections.h"
 #include "dynamics/FollowedFlow.h"
 #include "dynamics/RestingStep.h"
 
@@ -99,6 +100,24 @@ Eigen::VectorXd dilatancy(const StepProgram<Dim>& program, const Eigen::VectorXd
 }
 
 template<int Dim>
+Eigen::VectorXd openingsOfLeastForces(ThetaStep& step, const FlowProblem<Dim>& problem)
+{
+    if constexpr (Dim == 3)
+    {
+        const StepProgram<Dim>& program = problem.program;
+        if (program.contacts.size() >= pointsOfLarge && problem.settings.kind == StepKind::motion
+            && !program.hasCompliance() && !program.hasStrength())
+        {
+            const ConeSolution near =
+                solveAlternatingDirections(program, problem.expected, {}, problem.symbolic);
+            addWork(step, near);
+            return dilatancy(program, applyTransposed(program, near.displacement), near.contactForce);
+        }
+    }
+    return {};
+}
+
+template<int Dim>
 double errorOfFlow(const Eigen::VectorXd& imposed, const Eigen::VectorXd& opening, const Eigen::VectorXd& gap,
                    const ThetaStep& step, double least)
 {
@@ -187,6 +206,7 @@ bool goesOnFromLastStep(ThetaStep& step, const FlowProblem<Dim>& problem, const 
 
 template Eigen::VectorXd dilatancy(const StepProgram<2>& program, const Eigen::VectorXd& closing,
                                    const Eigen::VectorXd& contactForce);
+template Eigen::VectorXd openingsOfLeastForces(ThetaStep& step, const FlowProblem<2>& problem);
 template double errorOfFlow<2>(const Eigen::VectorXd& imposed, const Eigen::VectorXd& opening,
                                const Eigen::VectorXd& gap, const ThetaStep& step, double least);
 template bool solveFlow(ThetaStep& step, const FlowProblem<2>& problem, ConeSolution start,
@@ -196,6 +216,7 @@ template bool goesOnFromLastStep(ThetaStep& step, const FlowProblem<2>& problem,
                                  Following following);
 template Eigen::VectorXd dilatancy(const StepProgram<3>& program, const Eigen::VectorXd& closing,
                                    const Eigen::VectorXd& contactForce);
+template Eigen::VectorXd openingsOfLeastForces(ThetaStep& step, const FlowProblem<3>& problem);
 template double errorOfFlow<3>(const Eigen::VectorXd& imposed, const Eigen::VectorXd& opening,
                                const Eigen::VectorXd& gap, const ThetaStep& step, double least);
 template bool solveFlow(ThetaStep& step, const FlowProblem<3>& problem, ConeSolution start,

@@ -12,6 +12,12 @@ template<int Dim>
 Eigen::VectorXd dilatancy(const StepProgram<Dim>& program, const Eigen::VectorXd& closing,
                           const Eigen::VectorXd& contactForce);
 
+/// What points open by under forces near the least ones, in large structures of space with rigid joints,
+/// where they are not followed (AlternatingDirections.h). \param step whose work is counted \return one a
+/// point, or empty: for another problem
+template<int Dim>
+Eigen::VectorXd openingsOfLeastForces(ThetaStep& step, const FlowProblem<Dim>& problem);
+
 /// How far what a program imposed is from the dilatancy of its solution, where that matters: where a point
 /// presses, or would enter its partner without what is imposed. Everywhere else the point is apart and
 /// without force, which Coulomb's law allows whatever it slides. \param gap of the points [m], without what

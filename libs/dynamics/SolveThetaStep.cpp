@@ -2,7 +2,6 @@
 /// The programs in turn that lead to the solution of a theta step.
 #include "dynamics/ThetaStep.h"
 
-#include "conic/coulomb/AlternatingDirections.h"
 #include "dynamics/AcceleratedIteration.h"
 #include "dynamics/AllowedFlowError.h"
 #include "dynamics/CoulombFlow.h"
@@ -423,20 +422,14 @@ bool StepSearch<Dim>::endsBeforePrograms()
 template<int Dim>
 void StepSearch<Dim>::predictSliding()
 {
-    if constexpr (Dim == 3)
+    if (!isCoulomb || !isGuessed)
     {
-        const bool isLarge = program.contacts.size() >= pointsOfLarge;
-        if (!isLarge || !isCoulomb || isImpact || !isGuessed || program.hasCompliance()
-            || program.hasStrength())
-        {
-            return;
-        }
-        program.gap = gap;
-        const ConeSolution predicted =
-            solveAlternatingDirections(program, expected, {}, symbolic ? *symbolic : ownAnalysis);
-        addWork(step, predicted);
-        imposed =
-            dilatancy(program, applyTransposed(program, predicted.displacement), predicted.contactForce);
+        return;
+    }
+    program.gap = gap;
+    if (Eigen::VectorXd predicted = openingsOfLeastForces(step, flowProblem()); predicted.size() > 0)
+    {
+        imposed = std::move(predicted);
         fixedPoint = {};
         isPredicted = true;
     }

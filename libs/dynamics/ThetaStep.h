@@ -145,12 +145,12 @@ struct ThetaStep : SolverWork ///< no factorisation where the guess was the solu
 /// first program Newton's method (CoulombNewton.h) finds that fixed point, most often, and before it, in
 /// steady motion, from the forces of the guess; else Anderson's acceleration goes on from there, until
 /// mu |u_t| changes by less than ten times the tolerance of itself or 1e-12 of `blockSize`; from the fourth
-/// program on 1% of what the step changes the motion by will do, from the fifteenth 15%. In space, where
-/// forces are not followed, programs begin with the openings of forces near the least ones
-/// (AlternatingDirections.h), of which 10% will do from the first on. Of an impact 1% of the velocities will
-/// do from the first, but no more than 30% of what it changes them by, as impacts of no more than rounding
-/// would leave more than they find. Turns count by what they move a block of `blockSize` by. `flowError` says
-/// what is left. Points that are apart and carry nothing do not count.
+/// program on 1% of what the step changes the motion by will do, from the fifteenth 15%. In large
+/// structures of space whose forces are not followed programs begin with the openings of forces near the
+/// least ones (AlternatingDirections.h), of which 10% will do from the first on. Of an impact 1% of the
+/// velocities will do from the first, but no more than 30% of what it changes them by, as impacts of no more
+/// than rounding would leave more than they find. Turns count by what they move a block of `blockSize` by.
+/// `flowError` says what is left. Points that are apart and carry nothing do not count.
 ///
 /// The displacements are those that the contact forces give the blocks, to the last digits (y = Mbar^-1 (fbar
 /// - A c)), unless that would spoil the certificate: so no momentum is lost to the tolerance of the solver.

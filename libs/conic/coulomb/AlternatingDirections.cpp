@@ -53,7 +53,6 @@ public:
         }
         open();
         v = gap - closing;
-        w = v;
         project();
         v = w; // no forces
     }

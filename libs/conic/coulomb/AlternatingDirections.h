@@ -35,8 +35,8 @@ struct AlternatingDirectionsSettings
 /// to follow.
 /// \param expected motion that forces change, R b: where the iterations begin
 /// \param symbolic brought up to date
-/// \return `optimal` where the motion has settled to the tolerance, else `notConverged`, with what was
-/// reached \throws std::invalid_argument for a program of another kind
+/// \return what was reached, `optimal` where the motion has settled to the tolerance, else `notConverged`
+/// \throws std::invalid_argument for a program of another kind
 ConeSolution solveAlternatingDirections(const SpaceConeProgram& program, const Eigen::VectorXd& expected,
                                         const AlternatingDirectionsSettings& settings,
                                         SymbolicAnalysis& symbolic);

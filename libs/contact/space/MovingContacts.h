@@ -62,7 +62,7 @@ public:
     /// step to there has overlooked contacts, since which corners and edges meet was foreseen otherwise.
     double overlookedDepth(const std::vector<Placement<3>>& placements) const;
 
-    /// Whether an update finds more if it is told that blocks head there where contacts are overlooked.
+    /// Whether an update finds more if it knows that blocks head there where contacts are overlooked.
     bool findsMoreTowards(const std::vector<Placement<3>>&) const { return true; }
 
     /// Whether that is more than blocks may enter each other by, so that no update could follow.
