@@ -9,11 +9,37 @@
 
 namespace drystone
 {
+namespace
+{
+
+/// The solver's choice with no more iterations a program than the work left to the step allows for, but as
+/// many as an ordinary program takes: the one that crosses the border is brought to its end, not beyond.
+template<int Dim>
+SolverChoice withinWork(const StepSettings& settings, const ThetaStep& step, const StepProgram<Dim>& program)
+{
+    constexpr double ordinary = 30;
+    SolverChoice choice = settings.solver;
+    // Programs of a step are alike: in space a start that is lost once is lost again, after 24
+    // factorisations.
+    choice.isNearTried = Dim == 2 || !(step.isStartLost || settings.isFixedPointOnly);
+    if (settings.work)
+    {
+        const double left = settings.work->most - settings.work->done
+                            - workOf(step.iterations, step.factorisations, program.points(), program.bodies);
+        const double iterations = left / workOf(1, 1, program.points(), program.bodies);
+        choice.maximumIterations =
+            static_cast<int>(std::min<double>(choice.maximumIterations, std::max(ordinary, iterations)));
+    }
+    return choice;
+}
+
+} // namespace
 
 template<int Dim>
-bool solveOnce(ThetaStep& step, const StepProgram<Dim>& program, const SolverChoice& solver,
+bool solveOnce(ThetaStep& step, const StepProgram<Dim>& program, const StepSettings& settings,
                const ConeSolution& start, SymbolicAnalysis* symbolic)
 {
+    const SolverChoice solver = withinWork(settings, step, program);
     ConeSolution solution = solveCounted(step, program, solver, start, symbolic);
     ++step.programs;
     step.status = solution.status;
@@ -22,7 +48,8 @@ bool solveOnce(ThetaStep& step, const StepProgram<Dim>& program, const SolverCho
     if (solution.status == SolveStatus::optimal)
     {
         const Eigen::VectorXd outOfBalance = program.load - applyEquilibrium(program, solution.contactForce);
-        if (mayRest(program, outOfBalance) && standsStill(step, program, solver, solution, symbolic))
+        if (mayRest(program, outOfBalance)
+            && standsStill(step, program, settings, solver, solution, symbolic))
         {
             return false;
         }
@@ -54,36 +81,13 @@ bool isWorkUsedUp(const StepSettings& settings, const ThetaStep& step, const Ste
                   > settings.work->mostOfAttempt;
 }
 
-template<int Dim>
-SolverChoice withinWork(const StepSettings& settings, const ThetaStep& step, const StepProgram<Dim>& program)
-{
-    constexpr double ordinary = 30;
-    SolverChoice choice = settings.solver;
-    // Programs of a step are alike: in space a start that is lost once is lost again, after 24
-    // factorisations.
-    choice.isNearTried = Dim == 2 || !(step.isStartLost || settings.isFixedPointOnly);
-    if (settings.work)
-    {
-        const double left = settings.work->most - settings.work->done
-                            - workOf(step.iterations, step.factorisations, program.points(), program.bodies);
-        const double iterations = left / workOf(1, 1, program.points(), program.bodies);
-        choice.maximumIterations =
-            static_cast<int>(std::min<double>(choice.maximumIterations, std::max(ordinary, iterations)));
-    }
-    return choice;
-}
-
-template bool solveOnce(ThetaStep& step, const StepProgram<2>& program, const SolverChoice& solver,
+template bool solveOnce(ThetaStep& step, const StepProgram<2>& program, const StepSettings& settings,
                         const ConeSolution& start, SymbolicAnalysis* symbolic);
 template bool isWorkUsedUp(const StepSettings& settings, const ThetaStep& step,
                            const StepProgram<2>& program);
-template SolverChoice withinWork(const StepSettings& settings, const ThetaStep& step,
-                                 const StepProgram<2>& program);
-template bool solveOnce(ThetaStep& step, const StepProgram<3>& program, const SolverChoice& solver,
+template bool solveOnce(ThetaStep& step, const StepProgram<3>& program, const StepSettings& settings,
                         const ConeSolution& start, SymbolicAnalysis* symbolic);
 template bool isWorkUsedUp(const StepSettings& settings, const ThetaStep& step,
                            const StepProgram<3>& program);
-template SolverChoice withinWork(const StepSettings& settings, const ThetaStep& step,
-                                 const StepProgram<3>& program);
 
 } // namespace drystone

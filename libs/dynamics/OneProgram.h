@@ -12,16 +12,11 @@ namespace drystone
 /// see solveConeProgram \param symbolic kept from program to program; may be null \return whether the
 /// displacements are those that the contact forces give the blocks, Mbar^-1 (f - A c)
 template<int Dim>
-bool solveOnce(ThetaStep& step, const StepProgram<Dim>& program, const SolverChoice& solver,
+bool solveOnce(ThetaStep& step, const StepProgram<Dim>& program, const StepSettings& settings,
                const ConeSolution& start, SymbolicAnalysis* symbolic);
 
 /// Whether another program would go beyond the work allowed.
 template<int Dim>
 bool isWorkUsedUp(const StepSettings& settings, const ThetaStep& step, const StepProgram<Dim>& program);
-
-/// The solver's choice with no more iterations a program than the work left to the step allows for, but as
-/// many as an ordinary program takes: the one that crosses the border is brought to its end, not beyond.
-template<int Dim>
-SolverChoice withinWork(const StepSettings& settings, const ThetaStep& step, const StepProgram<Dim>& program);
 
 } // namespace drystone

@@ -28,6 +28,15 @@ double largestForce(const Eigen::VectorXd& rows)
     return largest;
 }
 
+/// How far apart, or in each other, points may be that touch at rest [m]: in what follows forces by as much
+/// as they give way, else by what gaps are known to, which rounding leaves of them where blocks have moved.
+double touchingOf(const StepSettings& settings)
+{
+    return followsFlow(settings)
+               ? yieldingOf(settings)
+               : std::min(settings.contactTolerance, settings.solver.tolerance * settings.blockSize);
+}
+
 } // namespace
 
 template<int Dim>
@@ -47,13 +56,14 @@ StepProgram<Dim> closedWithin(const StepProgram<Dim>& program, const StepSetting
     for (int point = 0; point < program.points(); ++point)
     {
         double& gap = closed.gap[Dim * point];
-        gap = std::abs(gap) <= yieldingOf(settings) ? 0 : gap;
+        gap = std::abs(gap) <= touchingOf(settings) ? 0 : gap;
     }
     return closed;
 }
 
-/// Rest with the forces nearest to those of another, at the points where these press, that balance the loads:
-/// one factorisation, which is counted on the step. \return the other rest where none balance them
+/// Rest with the forces nearest to those of another, at the points that touch and where these press, that
+/// balance the loads: one factorisation, which is counted on the step. \return the other rest where none
+/// balance them
 template<int Dim>
 Rest balanced(const StepProgram<Dim>& program, Rest rest, double tolerance, ThetaStep& step)
 {
@@ -65,7 +75,8 @@ Rest balanced(const StepProgram<Dim>& program, Rest rest, double tolerance, Thet
     carried.load = program.load;
     for (int point = 0; point < program.points(); ++point)
     {
-        if (contactForce[Dim * point] > 0)
+        // Of the interior point those that are apart have a rounding of a force.
+        if (contactForce[Dim * point] > 0 && program.gap[Dim * point] <= 0)
         {
             pressing.push_back(point);
             carried.contacts.push_back(program.contacts[static_cast<std::size_t>(point)]);
@@ -97,11 +108,15 @@ Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactF
 }
 
 template<int Dim>
-bool creeps(const StepProgram<Dim>& program, const ConeSolution& start, const StepSettings& settings)
+bool mayStayAtRest(const StepProgram<Dim>& program, const ConeSolution& start, const StepSettings& settings)
 {
-    if (settings.kind == StepKind::impact || !followsFlow(settings) || program.hasCompliance())
+    if (settings.kind == StepKind::impact || program.hasCompliance() || start.contactForce.isZero(0))
     {
         return false;
+    }
+    if (!followsFlow(settings))
+    {
+        return start.displacement.isZero(0);
     }
     const Eigen::VectorXd closing = applyTransposed(program, start.displacement);
     bool isSlow = true;
@@ -110,7 +125,7 @@ bool creeps(const StepProgram<Dim>& program, const ConeSolution& start, const St
         isSlow = !(start.contactForce[Dim * point] > 0)
                  || closing.segment<Dim>(Dim * point).norm() <= yieldingOf(settings);
     }
-    return isSlow && !start.contactForce.isZero(0);
+    return isSlow;
 }
 
 template<int Dim>
@@ -149,10 +164,12 @@ bool mayRest(const StepProgram<Dim>& program, const Eigen::VectorXd& outOfBalanc
 }
 
 template<int Dim>
-bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const SolverChoice& solver,
-                 const ConeSolution& solution, SymbolicAnalysis* symbolic)
+bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const StepSettings& settings,
+                 const SolverChoice& solver, const ConeSolution& solution, SymbolicAnalysis* symbolic)
 {
     const double nearly = std::sqrt(solver.tolerance);
+    const bool isOfPlaces = settings.flowRule == FlowRule::associative && settings.kind == StepKind::motion;
+    const StepProgram<Dim> closed = isOfPlaces ? closedWithin(program, settings) : program;
     Rest rest = restWith(program, solution.contactForce);
     const auto isNearlyRest = [&]
     { return rest.certificate.worst() > solver.tolerance && rest.certificate.worst() <= nearly; };
@@ -165,10 +182,10 @@ bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const SolverC
     }
     if (isNearlyRest() && closer.tolerance < solver.tolerance && solver.solver != SolverType::gaussSeidel)
     {
-        rest = restWith(program, solveCounted(step, program, closer, solution, symbolic).contactForce);
+        rest = restWith(closed, solveCounted(step, closed, closer, solution, symbolic).contactForce);
         if (Dim == 3 && isNearlyRest())
         {
-            rest = balanced(program, std::move(rest), solver.tolerance, step);
+            rest = balanced(closed, std::move(rest), settings.solver.tolerance, step);
         }
     }
     return comesToRest(step, program, std::move(rest), solver.tolerance);
@@ -178,22 +195,26 @@ template StepProgram<2> closedWithin(const StepProgram<2>& program, const StepSe
 template Rest restWith(const StepProgram<2>& program, const Eigen::VectorXd& contactForce);
 template Rest restWithin(const StepProgram<2>& program, const Eigen::VectorXd& contactForce,
                          const StepSettings& settings, ThetaStep& step);
-template bool creeps(const StepProgram<2>& program, const ConeSolution& start, const StepSettings& settings);
+template bool mayStayAtRest(const StepProgram<2>& program, const ConeSolution& start,
+                            const StepSettings& settings);
 template bool comesToRest(ThetaStep& step, const StepProgram<2>& program, Rest rest, double tolerance);
 template bool mayRest(const StepProgram<2>& program, const Eigen::VectorXd& outOfBalance);
-template bool standsStill(ThetaStep& step, const StepProgram<2>& program, const SolverChoice& solver,
-                          const ConeSolution& solution, SymbolicAnalysis* symbolic);
+template bool standsStill(ThetaStep& step, const StepProgram<2>& program, const StepSettings& settings,
+                          const SolverChoice& solver, const ConeSolution& solution,
+                          SymbolicAnalysis* symbolic);
 template ConeSolution solveCounted(ThetaStep& step, const StepProgram<2>& program, const SolverChoice& solver,
                                    const ConeSolution& start, SymbolicAnalysis* symbolic);
 template StepProgram<3> closedWithin(const StepProgram<3>& program, const StepSettings& settings);
 template Rest restWith(const StepProgram<3>& program, const Eigen::VectorXd& contactForce);
 template Rest restWithin(const StepProgram<3>& program, const Eigen::VectorXd& contactForce,
                          const StepSettings& settings, ThetaStep& step);
-template bool creeps(const StepProgram<3>& program, const ConeSolution& start, const StepSettings& settings);
+template bool mayStayAtRest(const StepProgram<3>& program, const ConeSolution& start,
+                            const StepSettings& settings);
 template bool comesToRest(ThetaStep& step, const StepProgram<3>& program, Rest rest, double tolerance);
 template bool mayRest(const StepProgram<3>& program, const Eigen::VectorXd& outOfBalance);
-template bool standsStill(ThetaStep& step, const StepProgram<3>& program, const SolverChoice& solver,
-                          const ConeSolution& solution, SymbolicAnalysis* symbolic);
+template bool standsStill(ThetaStep& step, const StepProgram<3>& program, const StepSettings& settings,
+                          const SolverChoice& solver, const ConeSolution& solution,
+                          SymbolicAnalysis* symbolic);
 template ConeSolution solveCounted(ThetaStep& step, const StepProgram<3>& program, const SolverChoice& solver,
                                    const ConeSolution& start, SymbolicAnalysis* symbolic);
 

@@ -17,22 +17,25 @@ struct Rest
 template<int Dim>
 Rest restWith(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce);
 
-/// A program whose points touch where they are apart, or overlap, by no more than points may give way.
+/// A program whose points touch where they are apart, or overlap, by no more than points may give way, or by
+/// the associative law than gaps are known to.
 template<int Dim>
 StepProgram<Dim> closedWithin(const StepProgram<Dim>& program, const StepSettings& settings);
 
-/// Likewise of points that give way: those within what they may count as touching, and where the forces do
-/// not balance the loads by what the blocks creep, those nearest to them do, at the same points, by one
-/// factorisation, which is counted on the step.
+/// Rest with forces near others: with these, or where they do not balance the loads, as where the ground
+/// shakes or blocks creep, with those nearest to them that do, at the points that press and touch, by one
+/// factorisation, which is counted on the step. By Coulomb's law points that give way touch where they are
+/// within that of each other.
 template<int Dim>
 Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
                 const StepSettings& settings, ThetaStep& step);
 
-/// Whether the points that press move by no more than they give way: followed from step to step they slip so
-/// little in each to carry their shear, where rigid points may hold the blocks where they are. Never in an
-/// impact, nor with compliance. \param start motion by the guess, and its forces
+/// Whether forces near those of the guess may hold the blocks where they are: the blocks are at rest, or by
+/// Coulomb's law the points that press move by no more than they give way. Followed from step to step they
+/// slip so little in each to carry their shear, where rigid points may hold the blocks. Never in an impact,
+/// nor with compliance. \param start motion by the guess, and its forces
 template<int Dim>
-bool creeps(const StepProgram<Dim>& program, const ConeSolution& start, const StepSettings& settings);
+bool mayStayAtRest(const StepProgram<Dim>& program, const ConeSolution& start, const StepSettings& settings);
 
 /// Whether rest solves the program to the tolerance; then it is the step.
 template<int Dim>
@@ -46,10 +49,10 @@ bool mayRest(const StepProgram<Dim>& program, const Eigen::VectorXd& outOfBalanc
 /// a displacement, which would be an impulse in the next step, but exactly. The gap of a certificate is work,
 /// so of second order in what is out of balance: a solution that is nearly rest may be rest, and is known
 /// when it is solved to the square of the tolerance. Otherwise a wall would move off below its multiplier,
-/// little by little.
+/// little by little. \param solver of the solution
 template<int Dim>
-bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const SolverChoice& solver,
-                 const ConeSolution& solution, SymbolicAnalysis* symbolic);
+bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const StepSettings& settings,
+                 const SolverChoice& solver, const ConeSolution& solution, SymbolicAnalysis* symbolic);
 
 /// Solves a program and counts the work on the step.
 template<int Dim>

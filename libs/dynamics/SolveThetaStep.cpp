@@ -160,7 +160,8 @@ bool StepSearch<Dim>::rests()
                              : Eigen::VectorXd::Zero(Dim * program.points());
     Rest rest = restWith(program, start.contactForce);
     step.initialResidual = rest.certificate.worst();
-    if (rest.certificate.worst() > settings.solver.tolerance && isGuessed && creeps(program, start, settings))
+    if (rest.certificate.worst() > settings.solver.tolerance && isGuessed
+        && mayStayAtRest(program, start, settings))
     {
         rest = restWithin(program, start.contactForce, settings, step);
     }
@@ -241,7 +242,7 @@ template<int Dim>
 bool StepSearch<Dim>::staysAtRest()
 {
     ThetaStep trial = step;
-    solveOnce(trial, closedWithin(program, settings), withinWork(settings, step, program), start, symbolic);
+    solveOnce(trial, closedWithin(program, settings), settings, start, symbolic);
     step.iterations = trial.iterations;
     step.factorisations = trial.factorisations;
     const bool isAtRest = trial.status == SolveStatus::optimal && trial.displacement.isZero(0);
@@ -295,7 +296,7 @@ void StepSearch<Dim>::solveProgram()
     }
     step.load = program.load;
     step.gap = program.gap;
-    isBalanced = solveOnce(step, program, withinWork(settings, step, program), start, symbolic);
+    isBalanced = solveOnce(step, program, settings, start, symbolic);
 }
 
 /// Whether no further program can begin with the last one's solution. Only the last program of Coulomb's law
