@@ -65,7 +65,8 @@ StepProgram<Dim> closedWithin(const StepProgram<Dim>& program, const StepSetting
 /// balance the loads: one factorisation, which is counted on the step. \return the other rest where none
 /// balance them
 template<int Dim>
-Rest balanced(const StepProgram<Dim>& program, Rest rest, double tolerance, ThetaStep& step)
+Rest balanced(const StepProgram<Dim>& program, Rest rest, double tolerance, ThetaStep& step,
+              SymbolicAnalysis* symbolic)
 {
     constexpr double shareOfTolerance = 0.1;
     const Eigen::VectorXd& contactForce = rest.solution.contactForce;
@@ -83,9 +84,10 @@ Rest balanced(const StepProgram<Dim>& program, Rest rest, double tolerance, Thet
             carried.friction.push_back(program.friction[static_cast<std::size_t>(point)]);
         }
     }
-    SymbolicAnalysis symbolic;
-    const Eigen::VectorXd holding = nearestForces(carried, takenFrom<Dim>(pressing, contactForce),
-                                                  shareOfTolerance * tolerance, symbolic);
+    SymbolicAnalysis ownAnalysis;
+    const Eigen::VectorXd holding =
+        nearestForces(carried, takenFrom<Dim>(pressing, contactForce), shareOfTolerance * tolerance,
+                      symbolic ? *symbolic : ownAnalysis);
     ++step.factorisations;
     if (holding.size() == 0)
     {
@@ -98,13 +100,13 @@ Rest balanced(const StepProgram<Dim>& program, Rest rest, double tolerance, Thet
 
 template<int Dim>
 Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
-                const StepSettings& settings, ThetaStep& step)
+                const StepSettings& settings, ThetaStep& step, SymbolicAnalysis* symbolic)
 {
     const StepProgram<Dim> closed = closedWithin(program, settings);
     Rest rest = restWith(closed, contactForce);
     return rest.certificate.worst() <= settings.solver.tolerance
                ? rest
-               : balanced(closed, std::move(rest), settings.solver.tolerance, step);
+               : balanced(closed, std::move(rest), settings.solver.tolerance, step, symbolic);
 }
 
 template<int Dim>
@@ -185,7 +187,7 @@ bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const StepSet
         rest = restWith(closed, solveCounted(step, closed, closer, solution, symbolic).contactForce);
         if (Dim == 3 && isNearlyRest())
         {
-            rest = balanced(closed, std::move(rest), settings.solver.tolerance, step);
+            rest = balanced(closed, std::move(rest), settings.solver.tolerance, step, symbolic);
         }
     }
     return comesToRest(step, program, std::move(rest), solver.tolerance);
@@ -194,7 +196,7 @@ bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const StepSet
 template StepProgram<2> closedWithin(const StepProgram<2>& program, const StepSettings& settings);
 template Rest restWith(const StepProgram<2>& program, const Eigen::VectorXd& contactForce);
 template Rest restWithin(const StepProgram<2>& program, const Eigen::VectorXd& contactForce,
-                         const StepSettings& settings, ThetaStep& step);
+                         const StepSettings& settings, ThetaStep& step, SymbolicAnalysis* symbolic);
 template bool mayStayAtRest(const StepProgram<2>& program, const ConeSolution& start,
                             const StepSettings& settings);
 template bool comesToRest(ThetaStep& step, const StepProgram<2>& program, Rest rest, double tolerance);
@@ -207,7 +209,7 @@ template ConeSolution solveCounted(ThetaStep& step, const StepProgram<2>& progra
 template StepProgram<3> closedWithin(const StepProgram<3>& program, const StepSettings& settings);
 template Rest restWith(const StepProgram<3>& program, const Eigen::VectorXd& contactForce);
 template Rest restWithin(const StepProgram<3>& program, const Eigen::VectorXd& contactForce,
-                         const StepSettings& settings, ThetaStep& step);
+                         const StepSettings& settings, ThetaStep& step, SymbolicAnalysis* symbolic);
 template bool mayStayAtRest(const StepProgram<3>& program, const ConeSolution& start,
                             const StepSettings& settings);
 template bool comesToRest(ThetaStep& step, const StepProgram<3>& program, Rest rest, double tolerance);

@@ -25,10 +25,10 @@ StepProgram<Dim> closedWithin(const StepProgram<Dim>& program, const StepSetting
 /// Rest with forces near others: with these, or where they do not balance the loads, as where the ground
 /// shakes or blocks creep, with those nearest to them that do, at the points that press and touch, by one
 /// factorisation, which is counted on the step. By Coulomb's law points that give way touch where they are
-/// within that of each other.
+/// within that of each other. \param symbolic kept from program to program; may be null
 template<int Dim>
 Rest restWithin(const StepProgram<Dim>& program, const Eigen::VectorXd& contactForce,
-                const StepSettings& settings, ThetaStep& step);
+                const StepSettings& settings, ThetaStep& step, SymbolicAnalysis* symbolic);
 
 /// Whether forces near those of the guess may hold the blocks where they are: the blocks are at rest, or by
 /// Coulomb's law the points that press move by no more than they give way. Followed from step to step they

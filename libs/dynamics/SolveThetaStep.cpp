@@ -163,7 +163,7 @@ bool StepSearch<Dim>::rests()
     if (rest.certificate.worst() > settings.solver.tolerance && isGuessed
         && mayStayAtRest(program, start, settings))
     {
-        rest = restWithin(program, start.contactForce, settings, step);
+        rest = restWithin(program, start.contactForce, settings, step, symbolic);
     }
     return comesToRest(step, program, std::move(rest), settings.solver.tolerance);
 }

@@ -2,7 +2,7 @@
 /// From a small penalty, which soon finds how the structure moves as a whole, to larger ones for its points.
 #include "conic/coulomb/AlternatingDirections.h"
 
-#include "conic/cones/SecondOrderCone.h"
+#include "conic/cones/RoundPacks.h"
 #include "conic/form/FormOperators.h"
 #include "conic/form/FormSchur.h"
 
@@ -16,6 +16,7 @@ namespace
 {
 
 using Eigen::VectorXd;
+using Number = Abreast<double>; ///< of four round cones at once
 
 constexpr int rows = 6;
 
@@ -28,6 +29,8 @@ struct Stage
 constexpr std::array<Stage, 3> stages{{{1, 0}, {3, 100}, {10, 250}}};
 
 constexpr double relaxation = 1.6;
+
+constexpr double leastRadius = 1e-300; ///< of what has no direction
 
 /// The motion is compared with that of so many iterations before.
 constexpr int iterationsToACheck = 25;
@@ -51,6 +54,7 @@ public:
                 }
             }
         }
+        w.resize(cones.size());
         open();
         v = gap - closing;
         project();
@@ -94,16 +98,22 @@ public:
     }
 
 private:
-    /// w: the openings nearest to v that are inside the cones.
+    /// w: the openings nearest to v that are inside the cones, by the positive parts of the eigenvalues.
     void project()
     {
-        w = v;
-        w.head(cones.rays) = w.head(cones.rays).cwiseMax(0.0);
-        for (Eigen::Index round = 0; round < cones.rounds; ++round)
-        {
-            auto ofRound = w.segment<3>(cones.at(round));
-            ofRound = projectOntoCone(Eigen::Vector3d(ofRound)).point;
-        }
+        w.head(cones.rays) = v.head(cones.rays).cwiseMax(0.0);
+        forPacks<Number>(
+            cones.rounds,
+            [&](const Pack& pack)
+            {
+                const Eigen::Index first = cones.at(pack.round);
+                const ConeVector<Number> x = taken(v, first, pack.count);
+                const Number radius = sqrt(x[1] * x[1] + x[2] * x[2]);
+                const Number one = larger<Number>(x[0] + radius, 0.0);
+                const Number other = larger<Number>(x[0] - radius, 0.0);
+                const Number share = 0.5 * (one - other) / larger<Number>(radius, leastRadius);
+                put<double>({0.5 * (one + other), share * x[1], share * x[2]}, first, pack.count, w);
+            });
     }
 
     /// g + o and B'y: with T = diag(1, mu, mu)/sqrt(1 + mu2) of a round cone mu |u_t| opens it by |z_t|.
@@ -111,18 +121,22 @@ private:
     {
         applyTransposed(form, y, closing);
         gap = form.gap;
-        const auto slipOf = [&](Eigen::Index round)
-        {
-            const Eigen::Index at = cones.at(round) + 1;
-            return (form.gap.segment<2>(at) - closing.segment<2>(at)).norm();
-        };
-        for (Eigen::Index round = 0; round < cones.rounds; ++round)
-        {
-            gap[cones.at(round)] += slipOf(round);
-        }
+        forPacks<Number>(cones.rounds,
+                         [&](const Pack& pack)
+                         {
+                             const Eigen::Index first = cones.at(pack.round);
+                             ConeVector<Number> opened = taken(form.gap, first, pack.count);
+                             const ConeVector<Number> closed = taken(closing, first, pack.count);
+                             const Number along = opened[1] - closed[1];
+                             const Number across = opened[2] - closed[2];
+                             opened[0] += sqrt(along * along + across * across);
+                             put<double>(opened, first, pack.count, gap);
+                         });
         for (const BesideRound& beside : besides)
         {
-            gap[beside.ray] += slipOf(beside.round) * form.directions[static_cast<std::size_t>(beside.ray)][0]
+            const Eigen::Index round = cones.at(beside.round);
+            gap[beside.ray] += (gap[round] - form.gap[round])
+                               * form.directions[static_cast<std::size_t>(beside.ray)][0]
                                / form.roundScales[static_cast<std::size_t>(beside.round)][0];
         }
     }
