@@ -23,10 +23,11 @@ std::string doubtAboutBond(const std::optional<JointStrength>& bond, std::string
     {
         return {};
     }
-    return fmt::format("{} {{ strength {:g}; }} is next to nothing: usual is from {:g} Pa, and mortar has 1e4 "
-                       "to 1e6. Strengths are in Pa; were it meant in MPa, write `strength {:.0f};`. It is "
-                       "used as it stands.",
-                       kind, bond->strength, weakest, 1e6 * bond->strength);
+    return fmt::format(
+        "{} {{ strength {:g}; }} is next to nothing: usual is from {:g} Pa, and mortar has 1e4 "
+        "to 1e6. Strengths are in Pa; were it meant in MPa, write `strength {:.0f};`. It is "
+        "used as it stands.",
+        kind, bond->strength, weakest, 1e6 * bond->strength);
 }
 
 } // namespace drystone

@@ -94,8 +94,8 @@ std::vector<std::vector<WallCrossing>> findCrossings(const Walls& settings,
                     fault = fmt::format(
                         "Walls {} ({:g} m long, {:g} m thick) and {} ({:g} m long, {:g} m thick) overlap "
                         "and are not at right angles: walls that meet must be.",
-                        settings.walls[i].first, walls[i].length, walls[i].thickness,
-                        settings.walls[j].first, walls[j].length, walls[j].thickness);
+                        settings.walls[i].first, walls[i].length, walls[i].thickness, settings.walls[j].first,
+                        walls[j].length, walls[j].thickness);
                 }
                 continue;
             }
