@@ -22,12 +22,17 @@ EffectType<Dim> cohesionType()
             options.optional(
                 "cohesion", contact.cohesion,
                 "shear of the joints besides friction, in motion until they break; absent: none");
+            options.question("cohesion", [&contact] { return doubtAboutBond(contact.cohesion, "cohesion"); });
         },
         [](const ContactProperties& contact)
         { return contact.cohesion.has_value() || isInJoints(contact, &JointProperties::cohesion); },
         noEffect<Dim>,
         {[](Options& options, JointProperties& properties)
-         { options.optional("cohesion", properties.cohesion, "shear besides friction"); },
+         {
+             options.optional("cohesion", properties.cohesion, "shear besides friction");
+             options.question("cohesion",
+                              [&properties] { return doubtAboutBond(properties.cohesion, "cohesion"); });
+         },
          [](const JointOfCase& joint, double area, PointLaw& law)
          { law.cohesion = cohesionOf(joint) * area; }});
 }

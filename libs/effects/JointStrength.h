@@ -4,6 +4,10 @@
 
 #include "dictionary/Options.h"
 
+#include <optional>
+#include <string>
+#include <string_view>
+
 namespace drystone
 {
 
@@ -15,5 +19,11 @@ struct JointStrength
 };
 
 void declare(Options& options, JointStrength& strength);
+
+/// Of cohesion or tension: whether it is next to nothing, as where a number in MPa is given as one in Pa.
+/// A crushing strength is compared with the dead load instead, and the answer shows it at once.
+/// \param kind cohesion or tension
+/// \returns empty when there is no doubt
+std::string doubtAboutBond(const std::optional<JointStrength>& bond, std::string_view kind);
 
 } // namespace drystone

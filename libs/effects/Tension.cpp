@@ -39,12 +39,17 @@ EffectType<Dim> tensionType()
             options.optional("tension", contact.tension,
                              "normal stress that holds joints together, at most cohesion over mu, in motion "
                              "until they break; absent: none");
+            options.question("tension", [&contact] { return doubtAboutBond(contact.tension, "tension"); });
         },
         [](const ContactProperties& contact)
         { return contact.tension.has_value() || isInJoints(contact, &JointProperties::tension); },
         noEffect<Dim>,
         {[](Options& options, JointProperties& properties)
-         { options.optional("tension", properties.tension, "normal stress that holds the joint together"); },
+         {
+             options.optional("tension", properties.tension, "normal stress that holds the joint together");
+             options.question("tension",
+                              [&properties] { return doubtAboutBond(properties.tension, "tension"); });
+         },
          [](const JointOfCase& joint, double area, PointLaw& law)
          {
              const double tension = stressOf(joint.own.tension, joint.contact.tension).value_or(0);

@@ -205,18 +205,21 @@ struct Confidence
     long independent = 0; ///< samples
     double degrees = 0;   ///< of freedom
     double quantile = 0;  ///< of Student's distribution, of an interval of 95%
+    bool isGrid = false;  ///< chosen values, of which nothing says how far they may be off
 
-    explicit Confidence(long samples)
+    Confidence(long samples, bool ofGrid)
         : independent(samples),
           degrees(static_cast<double>(std::max(independent - 1, 1L))),
-          quantile(gsl_cdf_tdist_Pinv(0.975, degrees))
+          quantile(gsl_cdf_tdist_Pinv(0.975, degrees)),
+          isGrid(ofGrid)
     {
     }
 
     bool isOne() const { return independent == 1; } ///< which says nothing of how others differ from it
+    bool isUnknown() const { return isOne() || isGrid; }
     double errorOfMean(double deviation) const
     {
-        return deviation / std::sqrt(static_cast<double>(independent));
+        return isUnknown() ? std::nan("") : deviation / std::sqrt(static_cast<double>(independent));
     }
 };
 
@@ -242,10 +245,10 @@ void addFractiles(const std::vector<double>& fractiles, const std::vector<double
     bool isOpen = false;
     for (const double part : fractiles)
     {
-        const auto [lower, upper] = confidence.isOne()
+        const auto [lower, upper] = confidence.isUnknown()
                                         ? std::pair{none, none}
                                         : fractileInterval(sorted, part, confidence.independent);
-        isOpen = isOpen || (!confidence.isOne() && (std::isnan(lower) || std::isnan(upper)));
+        isOpen = isOpen || (!confidence.isUnknown() && (std::isnan(lower) || std::isnan(upper)));
         result.rows.push_back(
             {fmt::format("fractile{:g}", part), fractile(sorted, part), none, lower, upper});
     }
@@ -277,6 +280,12 @@ void addLognormal(const std::vector<double>& positive, const Confidence& confide
     const double reach = confidence.quantile * error;
     result.rows.push_back(
         {"lognormalMedian", theta, theta * error, theta * std::exp(-reach), theta * std::exp(reach)});
+    const double none = std::nan("");
+    if (confidence.isGrid)
+    {
+        result.rows.push_back({"lognormalBeta", beta, none, none, none});
+        return;
+    }
     // Of normal logarithms (n - 1) s^2/sigma^2 is a chi-squared variable.
     const double degrees = confidence.degrees;
     result.rows.push_back({"lognormalBeta", beta, beta / std::sqrt(2 * degrees),
@@ -304,7 +313,13 @@ StatisticResult evaluateDistribution(const DistributionSettings& settings, const
     }
     const auto independentOf = [&table](long samples)
     { return table.sensitivityRuns > 0 ? std::max(1L, samples / table.sensitivityRuns) : samples; };
-    const Confidence confidence(independentOf(known));
+    const Confidence confidence(independentOf(known), table.isGrid);
+    if (table.isGrid)
+    {
+        // Where a variable does not act on the value each of them stands there many times.
+        result.remarks.emplace_back("The samples of a grid are chosen and not drawn: no errors and intervals "
+                                    "are known. The designs random, latinHypercube and sobol have them");
+    }
     if (confidence.independent < known)
     {
         result.remarks.push_back(fmt::format(
@@ -320,7 +335,8 @@ StatisticResult evaluateDistribution(const DistributionSettings& settings, const
             "{} infinite values count in fractiles, as the largest or least there are, and in nothing else",
             infinite));
     }
-    addFractiles(settings.fractiles, all, Confidence(independentOf(static_cast<long>(all.size()))), result);
+    addFractiles(settings.fractiles, all,
+                 Confidence(independentOf(static_cast<long>(all.size())), table.isGrid), result);
     if (sorted.front() > 0 && deviation > 0)
     {
         addLognormal(sorted, confidence, result);
@@ -336,7 +352,7 @@ Model<Statistic> distributionStatistic()
     return model<Statistic, DistributionSettings>(
         "distribution",
         "mean, deviation, fractiles and histogram of a value; errors and intervals are those of samples "
-        "drawn independently, and mostly too wide for latinHypercube and sobol",
+        "drawn independently, and mostly too wide for latinHypercube and sobol; a grid has none",
         [](const DistributionSettings& settings, const Dictionary& dictionary)
         {
             Statistic statistic;

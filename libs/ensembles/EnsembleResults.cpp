@@ -251,6 +251,7 @@ SampleTable collectSamples(const Ensemble& ensemble, std::map<long, SampleRow>& 
     table.texts.resize(table.variables);
     table.requested = ensemble.samples();
     table.sensitivityRuns = settings.design.sensitivity ? static_cast<long>(table.variables) + 2 : 0;
+    table.isGrid = settings.design.type == DesignType::grid && ensemble.samples() > settings.design.repeats;
     for (const auto& [sample, row] : rows)
     {
         const std::vector<SampleValue> values = ensemble.sampler->at(sample);

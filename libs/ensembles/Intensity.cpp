@@ -2,6 +2,8 @@
 /// The registry of intensity plans, and the conclusion from their trials.
 #include "ensembles/Intensity.h"
 
+#include "timeSeries/DescribedAcceleration.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,6 +29,21 @@ long stepsBetween(double from, double to, double step)
 void declareUnit(Options& options, IntensityUnit& unit)
 {
     options.optional("unit", unit, "of the intensities; g is the gravity of constant/g");
+}
+
+/// Of the highest intensity: whether no earthquake has it, as where m/s2 are read as multiples of g.
+std::string doubtOfHighest(double highest, IntensityUnit unit)
+{
+    constexpr double gravity = 9.81; // that of constant/g is not known here
+    const bool isInG = unit == IntensityUnit::g;
+    if (highest * (isInG ? gravity : 1) <= strongestGround)
+    {
+        return "";
+    }
+    return fmt::format("An intensity of {:g} {} is unusual: usual is up to {:g} m/s2. {}It is used as it "
+                       "stands.",
+                       highest, isInG ? "g" : "m/s2", strongestGround,
+                       isInG ? "Were m/s2 meant, write `unit m/s2;`. " : "");
 }
 
 std::string faultOfRange(double lowest, double highest, double step, const char* names)
@@ -60,6 +77,7 @@ void declare(Options& options, EqualStepsSettings& settings)
     options.required("step", settings.step, "between them").above(0).example("0.001");
     options.check("step", [&settings]
                   { return faultOfRange(settings.from, settings.to, settings.step, "from, to and step"); });
+    options.question("to", [&settings] { return doubtOfHighest(settings.to, settings.unit); });
     options.question(
         "step",
         [&settings]() -> std::string
@@ -111,6 +129,7 @@ void declare(Options& options, BisectionSettings& settings)
         .above(0)
         .example("0.3");
     options.required("high", settings.high, "one that does").above(0).example("0.4");
+    options.question("high", [&settings] { return doubtOfHighest(settings.high, settings.unit); });
     options
         .required("tolerance", settings.tolerance,
                   "width of the bracket at the end: only multiples of it above low are tried")
@@ -205,6 +224,13 @@ void declare(Options& options, IntensityList& settings)
                                  ? "An intensity occurs twice in the list."
                                  : "";
                   });
+    options.question("values",
+                     [&settings]
+                     {
+                         const auto highest =
+                             std::max_element(settings.values.begin(), settings.values.end());
+                         return doubtOfHighest(*highest, settings.unit);
+                     });
 }
 
 double widestInterval(std::vector<double> values)

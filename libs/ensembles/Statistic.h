@@ -27,6 +27,7 @@ struct SampleTable
     std::vector<char> isFailed;                  ///< one a row
     long requested = 0;       ///< samples of the design; fewer rows: some are still to come
     long sensitivityRuns = 0; ///< runs of each point of the design; 0: without sensitivity
+    bool isGrid = false;      ///< of more than one point: chosen values, not samples drawn independently
 
     std::size_t rows() const { return isFailed.size(); }
 };

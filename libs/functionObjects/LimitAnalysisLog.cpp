@@ -296,6 +296,16 @@ void printLimitAnalysisCase(const LimitAnalysisCase<Dim>& structure,
 namespace
 {
 
+/// The loads, also where there is no multiplier: "no load of this direction" says which that is.
+template<int Dim>
+void printLoads(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
+{
+    for (const std::string& sentence : loadMeaning(structure, result))
+    {
+        printLine(sentence);
+    }
+}
+
 /// The multiplier, as far as there is one, and what it means.
 template<int Dim>
 void printMultiplier(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result)
@@ -309,10 +319,11 @@ void printMultiplier(const LimitAnalysisCase<Dim>& structure, const LimitAnalysi
         }
         info("Collapse load multiplier alpha = {:.9g}", result.alpha + 0.0); // no -0
         printWholeJoints(structure, result);
-        for (const std::string& sentence : loadMeaning(structure, result))
-        {
-            printLine(sentence);
-        }
+        printLoads(structure, result);
+    }
+    else if (structure.loads.positions.empty()) // a load that moves has no one resultant
+    {
+        printLoads(structure, result);
     }
     if (result.status == CollapseStatus::upperBound && std::isfinite(result.alpha))
     {

@@ -81,9 +81,10 @@ std::vector<std::string> loadMeaning(const LimitAnalysisCase<Dim>& structure, co
     {
         sentences.front() = "Dead load: no resultant force";
     }
+    const bool isKnown = result.status == CollapseStatus::optimal;
     if (structure.movement)
     {
-        if (dead.norm() > 0)
+        if (isKnown && dead.norm() > 0)
         {
             sentences.push_back(fmt::format(
                 "The support {} {}{}, {:.4g} of the dead load", result.alpha < 0 ? "presses with" : "bears",
@@ -98,9 +99,15 @@ std::vector<std::string> loadMeaning(const LimitAnalysisCase<Dim>& structure, co
         sentences.emplace_back("Live load: its forces cancel, there is no resultant");
         return sentences;
     }
+    std::string sentence =
+        fmt::format("Live load: {} along {}", forceText(live.norm()), directionText<Dim>(live));
+    if (!isKnown)
+    {
+        sentences.push_back(std::move(sentence));
+        return sentences;
+    }
     const Vector<Dim> atCollapse = result.alpha * live;
-    std::string sentence = fmt::format("Live load: {} along {}; at collapse {}", forceText(live.norm()),
-                                       directionText<Dim>(live), forceText(atCollapse.norm()));
+    sentence += fmt::format("; at collapse {}", forceText(atCollapse.norm()));
     if (result.alpha < 0)
     {
         sentence += " against that";

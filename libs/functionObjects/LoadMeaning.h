@@ -25,8 +25,9 @@ Vector<Dim> resultantOf(const Eigen::VectorXd& load);
 template<int Dim>
 const LoadVectors& loadsOf(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
 
-/// Sentences on an optimal answer: the live load in all, at collapse, and as a part of the dead load; of a
-/// settling support its reaction. A live load without resultant, such as a couple, is said to have none.
+/// Sentences on an answer: dead and live load in all; where there is a multiplier, the live load at collapse
+/// and as a part of the dead load; of a settling support its reaction. A live load without resultant, such as
+/// a couple, is said to have none.
 template<int Dim>
 std::vector<std::string> loadMeaning(const LimitAnalysisCase<Dim>& structure, const LimitAnalysis& result);
 

@@ -311,7 +311,7 @@ void addCollapse(HtmlPage& page, const fs::path& caseDirectory, InputOfResults i
         {
             addIfAny(page, instabilityCause(structure.assembly, structure.points));
         }
-        if (isMultiplier(answer) && input == InputOfResults::same)
+        if ((isMultiplier(answer) || structure.loads.positions.empty()) && input == InputOfResults::same)
         {
             for (const std::string& sentence : loadMeaning(structure, answer))
             {

@@ -128,6 +128,25 @@ TEST_F(CaseProperties, FaultsOfContactPropertiesAreNamed)
     EXPECT_THAT(contactReport("\n\nglue { strength 3; }"), AllOf(HasSubstr("glue"), HasSubstr("line 3.")));
 }
 
+TEST_F(CaseProperties, CohesionAndTensionInMegapascalAreQuestioned)
+{
+    const auto warningsOf = [this](const std::string& text)
+    {
+        testing::internal::CaptureStderr();
+        EXPECT_EQ(contactReport("friction { type Coulomb; mu 0.5; }\n" + text), "no error");
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_THAT(warningsOf("cohesion { strength 0.2; }"),
+                AllOf(HasSubstr("cohesion { strength 0.2; }"), HasSubstr("`strength 200000;`"),
+                      HasSubstr("contactProperties/cohesion at line 2.")));
+    EXPECT_THAT(warningsOf("\ntension { strength 0.1; }"), HasSubstr("contactProperties/tension at line 3."));
+    EXPECT_THAT(warningsOf("\n\njoints { 0-ground { tension { strength 0.3; } } }"),
+                AllOf(HasSubstr("joints/0-ground/tension at line 4."), HasSubstr("`strength 300000;`")));
+    EXPECT_EQ(warningsOf("cohesion { strength 0; } tension { strength 0; }"), "");
+    EXPECT_EQ(warningsOf("cohesion { strength 60; } tension { strength 40; }"), "");
+    EXPECT_EQ(warningsOf("crushing { strength 0.3; }"), ""); // compared with the dead load
+}
+
 TEST_F(CaseProperties, AnEffectThatIsNotSimulatedIsRefusedByName)
 {
     for (const AbsentEffect& effect : absentEffects())

@@ -76,6 +76,25 @@ TEST(Intensity, StepsThatMissTheirEndAreQuestioned)
                 HasSubstr("tried is 0.3, and not to 0.4"));
 }
 
+// Accelerations in m/s2 without `unit m/s2;` are read as multiples of g.
+TEST(Intensity, BeyondEveryEarthquakeIsQuestioned)
+{
+    const auto doubtAbout = [](const std::string& text)
+    {
+        testing::internal::CaptureStderr();
+        planOf(text);
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_THAT(doubtAbout("type list;\nvalues (1 3.5 10);"),
+                testing::AllOf(HasSubstr("10 g"), HasSubstr("`unit m/s2;`"), HasSubstr("values at line 2.")));
+    EXPECT_THAT(doubtAbout("type step; from 1;\n\nto 5; step 1;"), HasSubstr("to at line 3."));
+    EXPECT_THAT(doubtAbout("type bisection; low 1;\n\n\nhigh 8; tolerance 0.1;"),
+                HasSubstr("high at line 4."));
+    EXPECT_THAT(doubtAbout("type list; unit m/s2; values (1 981);"), HasSubstr("981 m/s2"));
+    EXPECT_EQ(doubtAbout("type list; unit m/s2; values (1 3.5 10);"), "");
+    EXPECT_EQ(doubtAbout("type bisection; low 0.1; high 4; tolerance 0.1;"), "");
+}
+
 TEST(Intensity, UnitsAreReadWithAndWithoutQuotes)
 {
     EXPECT_EQ(planOf("type list; values (1 2);").unit, IntensityUnit::g);

@@ -404,6 +404,24 @@ TEST(DistributionStatistic, OfFewSamplesHasTheIntervalsOfFew)
     EXPECT_EQ(median.upper, 15);
 }
 
+// A grid of friction and peak acceleration has each multiplier as often as there are peaks: the more peaks,
+// the smaller was the standard error.
+TEST(DistributionStatistic, OfAGridHasNoIntervals)
+{
+    SampleTable table = tableOf({1, 1, 1, 2, 2, 2}, {3, 3, 3, 5, 5, 5});
+    table.isGrid = true;
+    const StatisticResult result = evaluated("type distribution; value y; fractiles (0.5);", table);
+    EXPECT_EQ(rowOf(result, "mean").value, 4);
+    for (const char* row : {"mean", "fractile0.5", "lognormalMedian", "lognormalBeta"})
+    {
+        EXPECT_TRUE(std::isnan(rowOf(result, row).lower)) << row;
+        EXPECT_TRUE(std::isnan(rowOf(result, row).upper)) << row;
+    }
+    EXPECT_TRUE(std::isnan(rowOf(result, "mean").standardError));
+    EXPECT_TRUE(std::isnan(rowOf(result, "lognormalMedian").standardError));
+    EXPECT_THAT(result.remarks, testing::Contains(HasSubstr("chosen and not drawn")));
+}
+
 // The runs of a point of sensitivity are as good as one sample.
 TEST(DistributionStatistic, OfSensitivityCountsPoints)
 {

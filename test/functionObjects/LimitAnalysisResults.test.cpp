@@ -415,6 +415,21 @@ TEST_F(LimitAnalysisResults, StatesTheMultiplierInForces)
                                      "Live load: 1 kN along (1 0); at collapse 5 kN, 0.25 of the dead load"));
 }
 
+// A fill on both sides of a wall pressed it down only: the log said "no load of this direction" and not
+// which.
+TEST_F(LimitAnalysisResults, StatesTheLoadsWhereThereIsNoMultiplier)
+{
+    const LimitAnalysis result = solve("type force; at (0.5 2); value (0 -1000);");
+    const LimitAnalysisCase structure = readLimitAnalysisCase<2>(directory);
+    ASSERT_EQ(result.status, CollapseStatus::unbounded);
+    EXPECT_THAT(loadMeaning(structure, result),
+                testing::ElementsAre("Dead load: 20 kN along (0 -1)", "Live load: 1 kN along (0 -1)"));
+    testing::internal::CaptureStdout();
+    printLimitAnalysis(structure, {result});
+    EXPECT_THAT(testing::internal::GetCapturedStdout(),
+                testing::HasSubstr("Live load: 1 kN along (0 -1)\nStatus: unbounded"));
+}
+
 TEST_F(LimitAnalysisResults, SaysThatACoupleHasNoResultant)
 {
     const LimitAnalysis result = solve("type sum; loads { a { type force; at (0 2); value (1000 0); } "

@@ -377,6 +377,11 @@ TEST(SpaceTextures, FaultsAreNamed)
                     + "courses 2; walls { a { from (0 0); length 4; } b { from (0.5 0); direction (1 1); "
                       "length 2; } }"),
         HasSubstr("not at right angles"));
+    // A brick in mm: the sizes of the walls show it.
+    EXPECT_THAT(
+        spaceReport("type walls; unit (400 200 200); bond running; courses 2; walls { a { from (0 0); "
+                    "length 4; } b { from (0 1.2); length 3; thickness right; } }"),
+        HasSubstr("b (1200 m long, 200 m thick)"));
     EXPECT_THAT(
         spaceReport(stone
                     + "courses 2; walls { a { from (0 0); length 4; } b { from (0.5 0.1); direction (0 "

@@ -92,8 +92,10 @@ std::vector<std::vector<WallCrossing>> findCrossings(const Walls& settings,
                     && overlap(acrossI, {0, walls[j].thickness}, tolerance))
                 {
                     fault = fmt::format(
-                        "Walls {} and {} overlap and are not at right angles: walls that meet must be.",
-                        settings.walls[i].first, settings.walls[j].first);
+                        "Walls {} ({:g} m long, {:g} m thick) and {} ({:g} m long, {:g} m thick) overlap "
+                        "and are not at right angles: walls that meet must be.",
+                        settings.walls[i].first, walls[i].length, walls[i].thickness, settings.walls[j].first,
+                        walls[j].length, walls[j].thickness);
                 }
                 continue;
             }
