@@ -146,7 +146,7 @@ void standingSquareWall(benchmark::State& state)
 {
     auto scene = sceneOf<2>(squareWall(static_cast<int>(state.range(0))), 0.65, FlowRule::associative);
     shake(scene, 0.3 * weight);
-    compare(state, std::move(scene), 0.01, 100);
+    compare(state, std::move(scene), 0.01, 500);
 }
 BENCHMARK(standingSquareWall)->Arg(20)->Arg(40)->Iterations(1)->Unit(benchmark::kMillisecond);
 
@@ -160,7 +160,7 @@ void standingHouse(benchmark::State& state)
 {
     auto scene = house();
     shake(scene, 0.05 * weight);
-    compare(state, std::move(scene), 0.01, 100);
+    compare(state, std::move(scene), 0.01, 500);
 }
 BENCHMARK(standingHouse)->Iterations(1)->Unit(benchmark::kMillisecond);
 
