@@ -46,13 +46,23 @@ void findContacts(Step<Dim>& step)
 }
 
 template<int Dim>
+Eigen::VectorXd displacementAtEnd(const Step<Dim>& step)
+{
+    const StepSolution& solved = step.solved;
+    return solved.flight.size() > 0 ? Eigen::VectorXd(solved.result.displacement + solved.flight)
+                                    : solved.result.displacement;
+}
+
+template<int Dim>
 double overlookedDepth(const Step<Dim>& step)
 {
     return step.motion.contacts && step.solved.isSolved && step.motion.contacts->mayOverlook()
-               ? step.motion.contacts->overlookedDepth(placementsAfter(step, step.solved.result.displacement))
+               ? step.motion.contacts->overlookedDepth(placementsAfter(step, displacementAtEnd(step)))
                : 0;
 }
 
+template Eigen::VectorXd displacementAtEnd(const Step<2>& step);
+template Eigen::VectorXd displacementAtEnd(const Step<3>& step);
 template double overlookedDepth(const Step<2>& step);
 template double overlookedDepth(const Step<3>& step);
 template void findContacts(Step<2>& step);

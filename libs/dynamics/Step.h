@@ -158,6 +158,10 @@ EffectContext<Dim> contextOf(const Step<Dim>& step);
 template<int Dim>
 void findContacts(Step<Dim>& step);
 
+/// What the step that is solved moves the blocks by, free flight included.
+template<int Dim>
+Eigen::VectorXd displacementAtEnd(const Step<Dim>& step);
+
 /// By how much the step that is solved ends with blocks in each other, between which other corners and edges
 /// meet than were foreseen [m].
 template<int Dim>

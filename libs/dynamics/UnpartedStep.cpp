@@ -81,7 +81,7 @@ bool mayLookAgain(const Step<Dim>& step)
     constexpr double mostWork = 0.3; // of what the step may take
     const StepWork& work = step.motion.work;
     return step.overlooking.size() < mostLooks && work.done <= mostWork * work.most
-           && step.motion.contacts->findsMoreTowards(placementsAfter(step, step.solved.result.displacement));
+           && step.motion.contacts->findsMoreTowards(placementsAfter(step, displacementAtEnd(step)));
 }
 
 /// Expects the blocks to move with the supports. Walls of a support that turns come nearer to each other by
@@ -182,7 +182,7 @@ double takeStep(const DynamicCase<Dim>& scene, Motion<Dim>& motion, double timeS
     {
         if (mayLookAgain(step))
         {
-            step.overlooking.push_back(step.solved.result.displacement);
+            step.overlooking.push_back(displacementAtEnd(step));
             return takeStep(scene, motion, timeStep, impacts, attemptForces, std::move(step.overlooking));
         }
         fault = motion.contacts->isTooDeep(depth) ? StepFault::entersTooDeep : StepFault::none;
