@@ -318,6 +318,10 @@ void printMultiplier(const LimitAnalysisCase<Dim>& structure, const LimitAnalysi
                  structure.assembly.supports[structure.movement->support].name, result.alpha);
         }
         info("Collapse load multiplier alpha = {:.9g}", result.alpha + 0.0); // no -0
+        if (structure.movement)
+        {
+            info("alpha is that base reaction in N, and not a multiple of a load");
+        }
         printWholeJoints(structure, result);
         printLoads(structure, result);
     }
