@@ -170,8 +170,6 @@ bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const StepSet
                  const SolverChoice& solver, const ConeSolution& solution, SymbolicAnalysis* symbolic)
 {
     const double nearly = std::sqrt(solver.tolerance);
-    const bool isOfPlaces = settings.flowRule == FlowRule::associative && settings.kind == StepKind::motion;
-    const StepProgram<Dim> closed = isOfPlaces ? closedWithin(program, settings) : program;
     Rest rest = restWith(program, solution.contactForce);
     const auto isNearlyRest = [&]
     { return rest.certificate.worst() > solver.tolerance && rest.certificate.worst() <= nearly; };
@@ -184,6 +182,8 @@ bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const StepSet
     }
     if (isNearlyRest() && closer.tolerance < solver.tolerance && solver.solver != SolverType::gaussSeidel)
     {
+        const bool isOfPlaces = settings.flowRule == FlowRule::associative && settings.kind == StepKind::motion;
+        const StepProgram<Dim> closed = isOfPlaces ? closedWithin(program, settings) : program;
         rest = restWith(closed, solveCounted(step, closed, closer, solution, symbolic).contactForce);
         if (Dim == 3 && isNearlyRest())
         {

@@ -3,8 +3,6 @@
 #include "Scenes.h"
 #include "SpaceScenes.h"
 
-#include "../space/SpaceStructures.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
