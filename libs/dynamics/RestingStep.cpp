@@ -182,7 +182,8 @@ bool standsStill(ThetaStep& step, const StepProgram<Dim>& program, const StepSet
     }
     if (isNearlyRest() && closer.tolerance < solver.tolerance && solver.solver != SolverType::gaussSeidel)
     {
-        const bool isOfPlaces = settings.flowRule == FlowRule::associative && settings.kind == StepKind::motion;
+        const bool isOfPlaces =
+            settings.flowRule == FlowRule::associative && settings.kind == StepKind::motion;
         const StepProgram<Dim> closed = isOfPlaces ? closedWithin(program, settings) : program;
         rest = restWith(closed, solveCounted(step, closed, closer, solution, symbolic).contactForce);
         if (Dim == 3 && isNearlyRest())
